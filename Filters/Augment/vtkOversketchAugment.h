@@ -166,7 +166,8 @@ public:
   ///@{
   /**
    * Each stroke is drawn on what the last one has made, but for those that neither cross nor come nearer than
-   * a third of the radius; off (default), all act at once. Inner outputs are then the last one's.
+   * a third of the radius; all rise along the normals of the mesh that came in, so that none leans over on
+   * another one's flank. Off (default), all act at once. Inner outputs are then the last one's.
    */
   vtkSetMacro(OneByOne, bool);
   vtkGetMacro(OneByOne, bool);

@@ -272,6 +272,10 @@ void vtkOversketchAugment::Pipeline::FeedPass(std::size_t pass)
     this->Mesh->ShallowCopy(wanted == 0 ? this->Start.Get() : this->Self->StageOutput(this->LastName()));
     this->MeshPass = wanted;
   }
+  if (this->PassCount() > 1)
+  {
+    this->Displace->SetKeepBaseNormals(!this->Self->AsPublished && pass + 1 < this->PassCount());
+  }
   if (!this->Passes.empty() && this->StrokesPass != wanted)
   {
     this->Strokes->ShallowCopy(this->Passes[pass]);

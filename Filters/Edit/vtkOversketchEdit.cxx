@@ -99,14 +99,32 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
       const Pipeline::Inputs all = Pipeline::InputsOf(inputs);
       inner.FeedMesh(mesh);
       inner.FeedEdit(all, this->Operations);
-      inner.RunToWeights(all);
+      try
+      {
+        inner.RunToWeights(all);
+      }
+      catch (const Error& error)
+      {
+        if (error.failure() != Failure::BadRegion || this->AsPublished)
+        {
+          throw;
+        }
+        throw Error(error.failure(), error.what() + inner.CircleThatWouldDo(all));
+      }
       inner.RunDeform();
       inner.RunTriangles();
       inner.PutOutput(mesh,
         vtkPolyData::GetData(outputs, 0),
         vtkPolyData::GetData(outputs, 1),
         vtkPolyData::GetData(outputs, 2));
-      this->Remark = RemarkOf(inner.Made->Figures);
+      const EditFigures& figures = inner.Made->Figures;
+      const std::string remark = RemarkOf(figures);
+      constexpr int few = 10; // pairs of triangles
+      if (!this->AsPublished && figures.depth > 0.0 && figures.crossings > few)
+      {
+        throw Error(Failure::BadStroke, remark);
+      }
+      this->Remark = remark;
     });
   if (!this->Remark.empty())
   {

@@ -38,8 +38,8 @@
  * Output 2 (Boundary): the ring, alike.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
- * BadStroke where there is no line or ring, for operations together with a profile, for a profile that
- * crosses itself or is closed, for one or areas drawn in the line's or ring's view; Torn where two vertices
+ * BadStroke without line or ring, for operations with a profile, a profile that crosses itself, is closed or
+ * comes out at the back, one or areas drawn in the line's or ring's view; Torn where two vertices
  * are brought to one place. An empty mesh: empty outputs, silently. After AbortExecute: Modified().
  *
  * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,

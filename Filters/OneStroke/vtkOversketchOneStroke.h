@@ -154,8 +154,9 @@ public:
   ///@{
   /**
    * Hand over a result that is torn, with a warning: one edge in a hundred of what moved is stretched or
-   * squeezed more than 8 times and was not remeshed, or that or over 0.7 of the surface moved and the result
-   * is not as drawn. Default off: it is refused. As published nothing is refused.
+   * squeezed more than 8 times and was not remeshed, or that, over 0.7 of the surface moved or over ten new
+   * pairs of triangles cross, and the result is not as drawn else. Default off: it is refused. As published
+   * nothing is refused.
    */
   vtkSetMacro(AllowTorn, bool);
   vtkGetMacro(AllowTorn, bool);

@@ -5,8 +5,6 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 using namespace oversketch;
@@ -109,31 +107,12 @@ int vtkOversketchOneStroke::Pipeline::Crossings(const char* stage)
   {
     const oversketch::Mesh& mesh = made.Data->Surface();
     const std::vector<char> region = this->RegionOf(stage);
-    const auto isChanged = [&region](const Triangle& t)
-    { return region[t[0]] || region[t[1]] || region[t[2]]; };
-    Eigen::AlignedBox3d box;
-    for (const Triangle& t : mesh.triangles)
-    {
-      for (int c = 0; c < 3 && isChanged(t); ++c)
-      {
-        box.extend(mesh.points[t[c]]);
-      }
-    }
-    // What lies beside all that changed cannot cross it.
-    oversketch::Mesh near;
-    near.points = mesh.points;
-    std::vector<char> changed;
-    for (const Triangle& t : mesh.triangles)
-    {
-      Eigen::AlignedBox3d own(mesh.points[t[0]]);
-      own.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
-      if (box.intersects(own))
-      {
-        near.triangles.push_back(t);
-        changed.push_back(isChanged(t));
-      }
-    }
-    made.Crossings = static_cast<int>(crossingFaces(near, changed, ThreadsOnly()).size());
+    std::vector<char> changed(mesh.triangles.size());
+    std::transform(mesh.triangles.begin(),
+      mesh.triangles.end(),
+      changed.begin(),
+      [&region](const Triangle& t) { return region[t[0]] || region[t[1]] || region[t[2]]; });
+    made.Crossings = static_cast<int>(crossingFaces(mesh, changed, ThreadsOnly()).size());
   }
   return *made.Crossings;
 }

@@ -322,8 +322,9 @@ void vtkOversketchOneStroke::Pipeline::RunBest()
   StrokeEffect effect = this->Run(asked);
   const bool mayChoose = asked == 1 && !this->Self->AsPublished;
   // Where most of the model moved, another section does no better, and each costs as much.
-  const bool wrecked = effect.movedShare <= StrokeEffect::tornShare &&
-                       (effect.back > Judgement::tolerableBack || beyondHelp(effect));
+  const bool wrecked =
+    effect.movedShare <= StrokeEffect::tornShare &&
+    (effect.back > Judgement::tolerableBack || beyondHelp(effect) || crossesWrongly(effect));
   if (mayChoose && wrecked)
   {
     const int last = std::min(this->Match->GetNumberOfCandidates(), mostCandidates);
@@ -359,7 +360,9 @@ void vtkOversketchOneStroke::Pipeline::Judge(const StrokeEffect& effect)
   {
     throw Error(Failure::Torn,
       "The stroke would tear the mesh: " + torn +
-        ". Draw it nearer to the outline that it is to replace, or, if that is meant, turn AllowTorn on.");
+        ". Draw it nearer to the outline that it is to replace, of one limb alone, or, if that is meant, "
+        "turn "
+        "AllowTorn on.");
   }
   this->Effect = effect;
   std::vector<std::string> said = remarks(effect);

@@ -123,7 +123,8 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
              static_cast<double>(this->UsePressure),
              static_cast<double>(this->Normals),
              static_cast<double>(this->Combine),
-             static_cast<double>(this->HoldBack) })
+             static_cast<double>(this->HoldBack),
+             static_cast<double>(this->KeepBaseNormals) })
       {
         values.push_back(value);
       }
@@ -165,6 +166,7 @@ int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
           options.connectedOnly = this->ConnectedOnly;
           options.usePressure = this->UsePressure;
           options.holdBack = this->HoldBack;
+          options.keepBaseNormals = this->KeepBaseNormals;
           options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
           options.combine = this->Combine == Sum ? oversketch::Combine::Sum : oversketch::Combine::Nearest;
           std::vector<std::vector<Vector3>> moves;
@@ -234,6 +236,7 @@ void vtkOversketchStellarDisplace::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Normals: " << this->Normals << "\n";
   os << indent << "Combine: " << this->Combine << "\n";
   os << indent << "HoldBack: " << this->HoldBack << "\n";
+  os << indent << "KeepBaseNormals: " << this->KeepBaseNormals << "\n";
   os << indent << "CountIntersections: " << this->CountIntersections << "\n";
   os << indent << "Moved: " << this->Moved << "\n";
   os << indent << "FlippedFaces: " << this->FlippedFaces << "\n";

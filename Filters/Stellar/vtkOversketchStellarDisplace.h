@@ -24,8 +24,7 @@
  * A mesh without points gives an empty output silently, without curves it goes through.
  *
  * Deterministic: same result bit for bit for any number of threads, cached or read from a file. The result
- * stays, as the same arrays, while all that is read does. Another height, sharpness or
- * profile costs what the vertices near the curves cost, and a copy of the mesh.
+ * stays, as the same arrays, while all that is read does. Another shape costs what is near the curves.
  *
  * @sa vtkOversketchStellarSnap vtkOversketchStellarSimplify
  */
@@ -144,6 +143,12 @@ public:
   void SetNormalsToCurrent() { this->SetNormals(Current); }
   ///@}
 
+  /**
+   * Keep BaseNormal, along which a further stroke then rises on this one's flanks, too [default off].
+   */
+  vtkSetMacro(KeepBaseNormals, bool);
+  vtkGetMacro(KeepBaseNormals, bool);
+
   enum CombineType
   {
     Nearest = 0,
@@ -162,8 +167,8 @@ public:
 
   ///@{
   /**
-   * Where the curves say how far it is to another part of the model (Room of vtkOversketchSurfaceStroke),
-   * grooves and ridges take two fifths of that and no more [default on; as published: off].
+   * Grooves and ridges take two fifths of the curves' Room, how far it is to another part of the model, and
+   * no more [default on; as published: off].
    */
   vtkSetMacro(HoldBack, bool);
   vtkGetMacro(HoldBack, bool);
@@ -182,10 +187,9 @@ public:
   ///@{
   /**
    * Of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to the
-   * other side of the way they rose: a steep flank over a falling slope is none), the greatest Feature;
-   * triangles led through others, or others through them: pairs that meet elsewhere than in a common corner,
-   * and did not before; -1 where they were not counted. Points of curves that had less room than the height,
-   * and the least share of it that was left.
+   * other side of the way they rose), the greatest Feature; triangles that newly meet others elsewhere than
+   * in a common corner, -1 where not counted; points of curves with less room than the height, and the least
+   * share of it that was left.
    */
   vtkGetMacro(Moved, int);
   vtkGetMacro(FlippedFaces, int);
@@ -193,9 +197,6 @@ public:
   vtkGetMacro(IntersectingFaces, int);
   vtkGetMacro(HeldBack, int);
   vtkGetMacro(LeastShare, double);
-  ///@}
-
-  ///@{
   /**
    * Feature on the last displacement's curves, one value every twentieth of a radius but for the ends: 1
    * where the mesh holds the crest; NaN where curves are shorter than two radii. And how many places.
@@ -203,9 +204,6 @@ public:
   vtkGetMacro(CrestMean, double);
   vtkGetMacro(CrestMinimum, double);
   vtkGetMacro(CrestPlaces, int);
-  ///@}
-
-  ///@{
   /**
    * How many times a mesh has been displaced, and distances were measured: not answered by kept results.
    */
@@ -234,6 +232,7 @@ private:
   int Normals = Base;
   int Combine = Nearest;
   bool HoldBack = true;
+  bool KeepBaseNormals = false;
   bool CountIntersections = true;
   int Moved = 0, FlippedFaces = 0, IntersectingFaces = -1, HeldBack = 0;
   double LeastShare = 1.0;

@@ -28,10 +28,11 @@
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray; BadStroke when there is not
  * one polyline, it has fewer than two samples, one that is not finite or a length over 1e5 px, it leads
- * round the end of a limb (the normals at both ends are over 120 degrees apart; not with Ray), an end lies
- * beside the model and its silhouette, there is no silhouette, its ends and normals span no plane or one that
- * is seen within 5 degrees of edge-on, a step is longer than MaximumStep, or the projection Path finds no one
- * curve between the ends. A stroke or a mesh without points gives empty outputs silently.
+ * round the end of a limb (the normals at both ends are over 120 degrees apart, or the sketch is over six
+ * times as long as the way between them; with Line), an end lies beside the model and its silhouette, there
+ * is no silhouette, its ends and normals span no plane or one that is seen within 5 degrees of edge-on, a
+ * step is longer than MaximumStep, or the projection Path finds no one curve between the ends. A stroke or a
+ * mesh without points gives empty outputs silently.
  *
  * Deterministic. Cost: as vtkOversketchSurfaceStroke, and one line or closest point a sample. The ray scene
  * stays while points and polygons of the mesh stand, the result, as the same arrays, while all that is read

@@ -139,38 +139,64 @@ bool cross(const Mesh& mesh, const Face& a, const Face& b)
   return common < 2 && (common ? fansMeet : trianglesMeet)(cornersFrom(a, atA), cornersFrom(b, atB));
 }
 
+Box boxOf(const Mesh& mesh, const Triangle& t)
+{
+  Box box(mesh.points[t[0]]);
+  box.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
+  return box;
+}
+
+// Corners at equal places become one.
+void weld(const Mesh& mesh, std::vector<Face>& faces)
+{
+  std::vector<int> number(mesh.points.size(), -1);
+  std::vector<Vector3> points;
+  for (Face& face : faces)
+  {
+    for (int& v : face.vertices)
+    {
+      if (number[v] < 0)
+      {
+        number[v] = static_cast<int>(points.size());
+        points.push_back(mesh.points[v]);
+      }
+      v = number[v];
+    }
+  }
+  const std::vector<int> vertices = weldPoints(points);
+  for (Face& face : faces)
+  {
+    for (int& v : face.vertices)
+    {
+      v = vertices.empty() ? v : vertices[v];
+    }
+  }
+}
+
 // The faces that can be in a pair: with area, and near a changed one.
 std::vector<Face> facesToTry(const Mesh& mesh, const std::vector<char>& changed)
 {
-  const std::vector<int> vertices = weldPoints(mesh.points);
-  std::vector<Face> faces;
-  faces.reserve(mesh.triangles.size());
+  const auto isChanged = [&changed](int f) { return changed.empty() || changed[f] != 0; };
   Box reach;
   for (int f = 0; f < mesh.triangleCount(); ++f)
   {
-    Face face{ f, changed.empty() || changed[f] != 0, mesh.triangles[f], {} };
-    Corners corners;
-    for (int k = 0; k < 3; ++k)
+    const Box box = isChanged(f) ? boxOf(mesh, mesh.triangles[f]) : Box();
+    if (box.min().allFinite() && box.max().allFinite())
     {
-      corners[k] = mesh.points[face.vertices[k]];
-      face.box.extend(corners[k]);
-      if (!vertices.empty())
-      {
-        face.vertices[k] = vertices[face.vertices[k]];
-      }
-    }
-    if (hasExactArea(corners))
-    {
-      faces.push_back(face);
-      if (face.changed)
-      {
-        reach.extend(face.box);
-      }
+      reach.extend(box);
     }
   }
-  faces.erase(
-    std::remove_if(faces.begin(), faces.end(), [&reach](const Face& face) { return !meet(face.box, reach); }),
-    faces.end());
+  std::vector<Face> faces;
+  for (int f = 0; f < mesh.triangleCount(); ++f)
+  {
+    const Triangle& t = mesh.triangles[f];
+    const Box box = boxOf(mesh, t);
+    if (meet(box, reach) && hasExactArea({ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] }))
+    {
+      faces.push_back({ f, isChanged(f), t, box });
+    }
+  }
+  weld(mesh, faces);
   return faces;
 }
 

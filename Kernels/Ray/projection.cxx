@@ -342,6 +342,29 @@ double hiddenDent(const SurfaceRays& surface,
   return in > out ? hidden : 0.0;
 }
 
+// A limb beside which both ends lie on what it stands on.
+void refuseSpike(const std::vector<Vector3>& sketch,
+  const End& begin,
+  const End& end,
+  const SketchRules& rules)
+{
+  constexpr double steepest = 6.0; // times as long as the way from end to end
+  double length = 0.0;
+  for (std::size_t i = 1; i < sketch.size(); ++i)
+  {
+    length += (sketch[i] - sketch[i - 1]).norm();
+  }
+  const double times = length / (end.position - begin.position).norm();
+  if (rules.projection == SketchProjection::Line && times > steepest)
+  {
+    refuseStroke("The stroke is ",
+      times,
+      " times as long as the way between its ends, which is a limb rather than a bump: pull it by "
+      "one-stroke, "
+      "or begin and end farther apart.");
+  }
+}
+
 } // namespace
 
 Ray lineOfSight(const View& view, const Vector2& display, const SurfaceRays& surface)
@@ -427,6 +450,7 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   }
   const Vector3 n = 0.5 * (begin.normal + end.normal);
   std::vector<Vector3> sketch = sketchInPlane(surface, view, stroke, begin, end, n);
+  refuseSpike(sketch, begin, end, rules);
   const std::vector<double> shares = sharesOf(sketch);
   if (rules.fixEnds)
   {

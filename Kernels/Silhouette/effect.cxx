@@ -204,6 +204,12 @@ std::string percent(double share)
   return text.str();
 }
 
+std::string crossing(const StrokeEffect& effect)
+{
+  return "the surface passes through itself: " + std::to_string(effect.crossings) +
+         " pairs of triangles cross";
+}
+
 } // namespace
 
 double outlineBack(const StrokeOutline& outline, const std::vector<OutlineLoop>& further)
@@ -304,8 +310,7 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   }
   if (effect.crossings > StrokeEffect::tolerableCrossings)
   {
-    said.push_back(
-      "the surface passes through itself: " + std::to_string(effect.crossings) + " pairs of triangles cross");
+    said.push_back(crossing(effect));
   }
   if (effect.strayDistance > 0.0)
   {
@@ -325,6 +330,14 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   return said;
 }
 
+bool crossesWrongly(const StrokeEffect& effect)
+{
+  StrokeEffect beside = effect;
+  beside.movedShare = 0.0;
+  beside.crossings = 0;
+  return effect.crossings > StrokeEffect::tolerableCrossings && !remarks(beside).empty();
+}
+
 std::string tornBy(const StrokeEffect& effect)
 {
   StrokeEffect beside = effect;
@@ -338,6 +351,10 @@ std::string tornBy(const StrokeEffect& effect)
   else if (effect.movedShare > StrokeEffect::tornShare && !asDrawn)
   {
     text << percent(effect.movedShare) << " of the surface moved";
+  }
+  else if (crossesWrongly(effect))
+  {
+    text << crossing(effect);
   }
   return text.str();
 }

@@ -55,6 +55,10 @@ void measureMovement(const Mesh& before,
 // What is to be said of it, a sentence each, the worst first; none where the stroke did what was drawn.
 std::vector<std::string> remarks(const StrokeEffect& effect);
 
+// True where the surface passes through itself and is not as drawn besides: limbs welded, twisted or turned
+// over. One that is drawn as it is may be meant to pass through another part.
+bool crossesWrongly(const StrokeEffect& effect);
+
 // Why the result is a wreck; empty where it is none. A limb may be drawn many times as long, and a trunk
 // moved as a whole: where triangles were made even again and all else is as drawn, nothing is torn.
 std::string tornBy(const StrokeEffect& effect);

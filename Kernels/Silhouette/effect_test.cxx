@@ -194,6 +194,27 @@ TEST(StrokeEffect, WhatWasMadeEvenAgainAndIsAsDrawnIsNotTorn)
   EXPECT_FALSE(tornBy(wrong).empty());
 }
 
+// A limb may be drawn through another one; two that are welded, or one that is twisted, miss the stroke
+// besides.
+TEST(StrokeEffect, WhatPassesThroughItselfIsTornUnlessAllElseIsAsDrawn)
+{
+  StrokeEffect effect;
+  effect.crossings = 73;
+  effect.movedShare = 0.5;
+  EXPECT_FALSE(crossesWrongly(effect));
+  EXPECT_TRUE(tornBy(effect).empty());
+  StrokeEffect wrong = effect;
+  wrong.folds = 11;
+  EXPECT_TRUE(crossesWrongly(wrong));
+  EXPECT_EQ(tornBy(wrong), "the surface passes through itself: 73 pairs of triangles cross");
+  wrong.crossings = 10;
+  EXPECT_FALSE(crossesWrongly(wrong));
+  EXPECT_TRUE(tornBy(wrong).empty());
+  wrong = effect;
+  wrong.strayDistance = 26.0;
+  EXPECT_TRUE(crossesWrongly(wrong));
+}
+
 TEST(StrokeEffect, OnlyWhatMovedBesideTheStrokeIsBeyondHelp)
 {
   StrokeEffect effect;

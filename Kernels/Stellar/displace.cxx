@@ -175,7 +175,7 @@ std::vector<int> facesAround(const Forest& forest, const std::vector<int>& verti
 }
 
 // What the stroke's vertices knew is of no use to the next one.
-void endStroke(Forest& forest, const std::vector<int>& vertices)
+void endStroke(Forest& forest, const std::vector<int>& vertices, bool keepBaseNormals)
 {
   for (const int v : vertices)
   {
@@ -187,7 +187,7 @@ void endStroke(Forest& forest, const std::vector<int>& vertices)
       vertex.curveParam = 0.0;
     }
   }
-  forest.hasBaseNormals = false;
+  forest.hasBaseNormals = forest.hasBaseNormals && keepBaseNormals;
 }
 
 // Puts back what was displaced before, or makes `after` a copy.
@@ -246,7 +246,7 @@ CurvesReached reachedBy(const Forest& forest,
   {
     reached.vertices.push_back(reach.find(
       k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
-    reached.needed.add(forest, k, reached.vertices.back(), passage);
+    reached.needed.add(forest, k, shapes[k].radius, reached.vertices.back(), passage);
     for (const Reached& r : reached.vertices.back())
     {
       changing[r.vertex] = 1;
@@ -342,7 +342,7 @@ DisplaceReport displace(const Forest& before,
     report.crestMinimum = &at == reached.crest.data() ? value : std::min(report.crestMinimum, value);
     report.crestSum += value;
   }
-  endStroke(after, reached.changing);
+  endStroke(after, reached.changing, options.keepBaseNormals);
   return report;
 }
 

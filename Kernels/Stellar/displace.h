@@ -40,6 +40,7 @@ struct DisplaceOptions
   bool usePressure = false;       // h times the pen's pressure at the nearest point
   bool holdBack = true; // heights end within the curves' room, see FeatureCurve::limits; off: as published
   RiseAlong along = RiseAlong::Base;
+  bool keepBaseNormals = false; // for the next stroke: what rises on a steep flank goes as that one went
   Combine combine = Combine::Nearest;
   // A point for each point of each curve: vertices move by sketch - curve there, in place of h times a
   // normal.
@@ -80,8 +81,8 @@ CurvesReached reachedBy(const Forest& forest,
 // Moves each vertex by its feature value, the profile of distance / radius, times h and its normal or the
 // vector to the sketch, all from where they were. A vertex that is snapped to a curve is at distance 0 of it,
 // at its own parameter. Fills displacement and feature, and ends the stroke: snapped vertices become crests
-// of an earlier one, base normals are no longer known. Throws Error(BadStroke) for options out of their range
-// and a sketch that does not fit the curves, Error(Cancelled).
+// of an earlier one, base normals are no longer known unless they are kept. Throws Error(BadStroke) for
+// options out of their range and a sketch that does not fit the curves, Error(Cancelled).
 DisplaceReport displace(Forest& forest,
   const FeatureCurves& curves,
   const DisplaceOptions& options,

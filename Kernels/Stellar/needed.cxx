@@ -9,14 +9,31 @@
 namespace oversketch
 {
 
+namespace
+{
+
+// What is snapped to a feature's foot lies at the radius but for rounding, which is of the order of 1e-8
+// where a small model lies millions of units from the origin: it does not rise, and is not within.
+bool isWithin(double distance, double radius)
+{
+  constexpr double rounding = 1e-6;
+  return distance < (1.0 - rounding) * radius;
+}
+
+} // namespace
+
 void NeededVertices::add(const Forest& forest,
   int curve,
+  double radius,
   const std::vector<Reached>& reached,
   const Passage& passage)
 {
   for (const Reached& r : reached)
   {
-    this->why[r.vertex] |= Within;
+    if (isWithin(r.distance, radius))
+    {
+      this->why[r.vertex] |= Within;
+    }
   }
   this->passed.push_back(passage.faces(curve));
   for (const int f : this->passed.back())
@@ -41,8 +58,9 @@ NeededVertices neededVertices(const Forest& forest,
   CurveReach reach(forest, search);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
-    const ReachOptions own{ curves[k].radius.value_or(options.radius), options.kind, options.connectedOnly };
-    needed.add(forest, k, reach.find(k, passage.faces(k), own, context), passage);
+    const double radius = curves[k].radius.value_or(options.radius);
+    const ReachOptions own{ radius, options.kind, options.connectedOnly };
+    needed.add(forest, k, radius, reach.find(k, passage.faces(k), own, context), passage);
   }
   return needed;
 }
@@ -80,7 +98,7 @@ bool stillNeeded(const Forest& before,
         {
           const double radius = curves[k].radius.value_or(options.radius);
           const auto within = [&](const Vector3& at)
-          { return std::isfinite(search.nearest(k, at, radius).distance); };
+          { return isWithin(search.nearest(k, at, radius).distance, radius); };
           same = same && (vertex.curveId == k || within(vertex.position)) == within(to);
         }
       }

@@ -28,7 +28,11 @@ struct NeededVertices
   {
   }
   // What the next curve needs.
-  void add(const Forest& forest, int curve, const std::vector<Reached>& reached, const Passage& passage);
+  void add(const Forest& forest,
+    int curve,
+    double radius,
+    const std::vector<Reached>& reached,
+    const Passage& passage);
 };
 
 // Of all curves; `options`: of those without a radius of their own.

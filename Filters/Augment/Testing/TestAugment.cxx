@@ -50,6 +50,12 @@ double highest(vtkPolyData* mesh)
   return most;
 }
 
+// Strokes of one run rise along the normals of the mesh before all; what is chained does where it is told to.
+void keepBaseNormals(vtkOversketchAugment* filter, bool keep)
+{
+  vtkOversketchStellarDisplace::SafeDownCast(filter->GetStep("Displace"))->SetKeepBaseNormals(keep);
+}
+
 } // namespace
 
 TEST(Augment, AVeinRisesByItsHeightAndNothingElseMoves)
@@ -130,6 +136,7 @@ TEST(Augment, ChainedEqualsSavedEqualsOneByOne)
         filter->SetInputData(0, *mesh);
         const auto strokes = strokesOf({ stroke }, all.view);
         filter->SetStrokesData(strokes);
+        keepBaseNormals(filter, &stroke != &drawn.back());
         filter->Update();
         ASSERT_EQ(filter->GetErrorCode(), 0u);
         *mesh =
@@ -215,6 +222,7 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
     System one(mesh, { stroke });
     one.strokes = strokesOf({ stroke }, s.view);
     one.filter->SetStrokesData(one.strokes);
+    keepBaseNormals(one.filter, &stroke != &drawn.back());
     mesh = deepCopy(one.run());
     auto* snap = vtkOversketchStellarSnap::SafeDownCast(one.filter->GetStep("Snap"));
     auto* smooth = vtkOversketchStellarSmooth::SafeDownCast(one.filter->GetStep("Smooth"));
@@ -228,7 +236,7 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
     }
     least = std::min(least, one.filter->GetFigure("CrestMinimum"));
     longest = std::max(longest, one.filter->GetFigure("LongestSegment"));
-    EXPECT_GT(one.filter->GetFigure("CrestMean"), 0.98);
+    EXPECT_GT(one.filter->GetFigure("CrestMean"), 0.9); // on the flank of the one before
     EXPECT_LE(one.filter->GetFigure("CrestMean"), 1.0 + 1e-12);
   }
   s.filter->OneByOneOn();

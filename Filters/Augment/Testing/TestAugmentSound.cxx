@@ -201,6 +201,69 @@ TEST(AugmentSound, ParallelLinesAreTheSameAtOnceAndOneByOne)
   EXPECT_FALSE(identical(together, crossed.run()));
 }
 
+// Lines over others, which stand on what those have made: all rise as the mesh before them looks, and none
+// leans over on another one's flank.
+TEST(AugmentSound, HatchingOneByOneCrossesItselfNowhere)
+{
+  std::vector<std::vector<Vector2>> drawn;
+  for (const double by : { -24.0, -12.0, 0.0, 12.0, 24.0 })
+  {
+    drawn.push_back(straightLine({ 350, 300 + by }, { 450, 300 + by }));
+  }
+  for (const double by : { -24.0, -12.0, 0.0, 12.0, 24.0 })
+  {
+    drawn.push_back(straightLine({ 400 + by, 250 }, { 400 + by, 350 }));
+  }
+  System s(shippedModel("bear"), drawn);
+  s.filter->OneByOneOn();
+  Ear ear(s.filter);
+  s.run();
+  EXPECT_EQ(s.filter->GetFigure("IntersectingFaces"), 0.0);
+  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  EXPECT_TRUE(ear.warnings.empty()) << ear.warnings[0];
+}
+
+// What is snapped to a feature's foot lies at its radius but for rounding, which decides nothing.
+TEST(AugmentSound, FarFromTheOriginTheSameTrianglesAreMade)
+{
+  const Vector3 offset(5e5, 4.6e6, 120.0);
+  const auto collar = [](const Vector3& by)
+  {
+    const auto mesh = deepCopy(shippedModel("dog")), strokes = deepCopy(shippedStroke("dog_collar"));
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      points->InsertNextPoint(Vector3(pointOf(mesh, i) + by).data());
+    }
+    mesh->SetPoints(points);
+    vtkDataArray* views = strokes->GetCellData()->GetArray("ViewTransform");
+    for (vtkIdType i = 0; i < views->GetNumberOfTuples(); ++i)
+    {
+      Eigen::Matrix<double, 4, 4, Eigen::RowMajor> eye, back = Eigen::Matrix4d::Identity();
+      views->GetTuple(i, eye.data());
+      back.topRightCorner<3, 1>() = -by;
+      eye = eye * back;
+      views->SetTuple(i, eye.data());
+    }
+    vtkNew<vtkOversketchAugment> filter;
+    filter->SetInputData(0, mesh);
+    filter->SetStrokesData(strokes);
+    filter->Update();
+    EXPECT_EQ(filter->GetErrorCode(), 0u);
+    return deepCopy(filter->GetOutput());
+  };
+  const auto here = collar(Vector3::Zero()), far = collar(offset);
+  ASSERT_EQ(here->GetNumberOfPoints(), far->GetNumberOfPoints());
+  ASSERT_EQ(here->GetNumberOfPolys(), far->GetNumberOfPolys());
+  double most = 0.0;
+  for (vtkIdType i = 0; i < here->GetNumberOfPoints(); ++i)
+  {
+    most = std::max(most, (pointOf(far, i) - offset - pointOf(here, i)).norm());
+  }
+  EXPECT_LT(most, 1e-9 * offset.norm());
+}
+
 // Round the end of the bar, from one side to the other.
 TEST(AugmentSound, AnOutlineRoundALimbsEndIsRefused)
 {

@@ -249,7 +249,44 @@ TEST(EditCoarse, ARingOverTwoLegsIsThatOfTheLinesLeg)
   EXPECT_GT(inside, 50);
 }
 
-TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsSaid)
+// A ring over a leg and most of what is round it encloses nearly all; a circle that does is told, and does.
+TEST(EditCoarse, ForARingThatEnclosesNearlyAllOneThatDoesIsTold)
+{
+  const auto person = shippedModel("person");
+  const View view = frontOf(person);
+  Vector2 foot(0.0, HUGE_VAL);
+  double top = -HUGE_VAL;
+  for (vtkIdType i = 0; i < person->GetNumberOfPoints(); ++i)
+  {
+    const Vector2 p = view.toDisplay(placeOf(person, i)).head<2>();
+    top = std::max(top, p[1]);
+    if (placeOf(person, i)[0] > 0.0 && p[1] < foot[1])
+    {
+      foot = p;
+    }
+  }
+  const double high = top - foot[1];
+  const Vector2 middle = foot + Vector2(-0.03, 0.1) * high;
+  EditSystem s(person,
+    upright(middle[0], middle[1] - 0.06 * high, middle[1] + 0.06 * high),
+    ellipse(middle[0], middle[1], 0.72 * high, 0.72 * high));
+  Ear ear(s.filter);
+  s.filter->Update();
+  ASSERT_EQ(s.filter->GetErrorCode(), codeOf(Failure::BadRegion));
+  ASSERT_FALSE(ear.errors.empty());
+  const std::string& said = ear.errors[0];
+  const std::size_t at = said.find("A circle of ");
+  ASSERT_NE(at, std::string::npos) << said;
+  double radius = 0.0, x = 0.0, y = 0.0;
+  ASSERT_EQ(std::sscanf(said.c_str() + at, "A circle of %lf px round (%lf, %lf)", &radius, &x, &y), 3)
+    << said;
+  EXPECT_LT(radius, 0.72 * high);
+  s.filter->SetBoundaryData(toStroke(ellipse(x, y, radius, radius), view));
+  s.operate("move 0.5 n %.9g", 0.005);
+  EXPECT_GT(s.run()->GetNumberOfPolys(), 0);
+}
+
+TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
 {
   EditSystem s(legs(), upright(200.0, 260.0, 340.0), ellipse(200.0, 300.0, 38.0, 75.0));
   const auto drawn = [](double deep)
@@ -268,8 +305,12 @@ TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsSaid)
     return profile;
   };
   s.filter->SetProfileData(drawn(2.2)); // of a width of 0.76, where the leg is 1 thick
-  s.run();
-  const std::string deep = s.filter->GetRemark();
+  Ear ear(s.filter);
+  s.filter->Update();
+  EXPECT_EQ(s.filter->GetErrorCode(), codeOf(Failure::BadStroke));
+  EXPECT_EQ(s.filter->GetOutput()->GetNumberOfPoints(), 0);
+  ASSERT_FALSE(ear.errors.empty());
+  const std::string deep = ear.errors[0];
   EXPECT_NE(deep.find("times as deep as the model is thick there"), std::string::npos) << deep;
   EXPECT_EQ(deep.find("drag"), std::string::npos) << deep;
   s.filter->SetProfileData(drawn(0.3));

@@ -227,6 +227,33 @@ TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
   EXPECT_NE(std::string(torn.filter->GetRemark()).find("stretched or squeezed"), std::string::npos);
 }
 
+// Up the outer side of one leg, across below both feet, and up the other's: both would become one, welded.
+TEST(OneStrokeEffect, TwoLegsUnderOneLineAreNotWelded)
+{
+  std::vector<Vector2> line;
+  const Vector2 corners[] = { { 341, 256 }, { 335, 19 }, { 465, 19 }, { 460, 247 } };
+  for (int k = 0; k < 3; ++k)
+  {
+    const int count = k == 1 ? 30 : 50;
+    for (int i = 0; i < count; ++i)
+    {
+      line.push_back(corners[k] + static_cast<double>(i) / count * (corners[k + 1] - corners[k]));
+    }
+  }
+  Drawn legs(toStroke(line, oversketch::ViewOf(shippedStroke("person_longer_arm"))));
+  legs.mesh = shippedModel("person");
+  legs.filter->SetInputData(0, legs.mesh);
+  legs.run();
+  EXPECT_TRUE(legs.failedBy(Failure::Torn));
+  ASSERT_FALSE(legs.ear.errors.empty());
+  EXPECT_NE(legs.ear.errors[0].find("passes through itself"), std::string::npos) << legs.ear.errors[0];
+  EXPECT_NE(legs.ear.errors[0].find("one limb alone"), std::string::npos);
+  legs.filter->AllowTornOn();
+  legs.run();
+  EXPECT_EQ(legs.filter->GetErrorCode(), 0u);
+  EXPECT_GT(legs.filter->GetNewCrossings(), 10);
+}
+
 // A limb that is drawn many times as long is stretched as often; its triangles are made anew, so nothing is
 // torn.
 TEST(OneStrokeEffect, AnArmSeveralTimesAsLongIsNotTorn)

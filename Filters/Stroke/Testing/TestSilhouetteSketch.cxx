@@ -348,6 +348,8 @@ TEST(SilhouetteSketch, RefusesABadHandByName)
   const auto opposite = toStroke({ { 200, 300 }, { 400, 120 }, { 600, 300 } }, parallel);
   filter->SetSilhouetteData(silhouetteOf(sphere, opposite));
   refused(opposite, "round the end of a limb");
+  // Beside each other, on what a limb stands on.
+  refused(toStroke({ { 386, 499.5 }, { 400, 590 }, { 414, 499.5 } }, parallel), "a limb rather than a bump");
   filter->SetInputData(good);
   vtkNew<vtkPolyData> bare;
   bare->DeepCopy(silhouette);

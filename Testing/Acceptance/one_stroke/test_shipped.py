@@ -48,6 +48,7 @@ def test_correcting_the_outline_pays(name, measure, reach_ends, monkeypatch):
     def system(mode, backend, made=accept.system):
         one_stroke = made(mode, backend)
         one_stroke.GetStep("MixtureRegion").SetReachEnds(reach_ends)
+        one_stroke.AllowTornOn()  # a thumb that folds in passes through the arm
         return one_stroke
 
     monkeypatch.setattr(accept, "system", system)
