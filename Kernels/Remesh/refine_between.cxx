@@ -20,8 +20,7 @@ constexpr double leastLength = 0.25;         // of the edge length that half of 
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
-constexpr std::size_t longestWay = 1000; // of triangles each of which has a longer edge than the one before
-constexpr int mostSplits = 20000;        // more than any ring on a sound mesh asks for
+constexpr double leastHeight = 0.03; // of a triangle over its longest edge, and of that, to be cut across
 
 struct Segment
 {
@@ -188,7 +187,7 @@ public:
     {
       this->lookAt(t);
     }
-    for (std::size_t i = 0; i < this->Waiting.size() && this->Splits < mostSplits; ++i)
+    for (std::size_t i = 0; i < this->Waiting.size(); ++i)
     {
       const int t = this->Waiting[i];
       this->IsWaiting[t] = 0;
@@ -270,11 +269,20 @@ private:
                (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0));
   }
 
-  // A triangle's longest edge is the longest of those beyond it too, or they come first.
+  // Cut across an edge that is not its longest, a triangle loses half of its height and keeps that one: if
+  // nothing ended this, its parts would come to lie upon the edge, as long as before, and be cut for ever.
+  bool isTooFlatAcross(int t, const Edge& edge) const
+  {
+    const Edge longest = this->longestOf(t);
+    return !(longest == edge) && this->Mesh.cross(t).norm() < leastHeight * longest.squared;
+  }
+
+  // A triangle's longest edge is the longest of those beyond it too, or they come first; each of them has a
+  // longer one than the one before, so that this ends.
   void bisect(int t)
   {
     std::vector<int> way{ t };
-    while (!way.empty() && way.size() < longestWay && this->Splits < mostSplits)
+    while (!way.empty())
     {
       const int now = way.back();
       const Edge edge = this->longestOf(now);
@@ -286,6 +294,10 @@ private:
       {
         way.push_back(*before);
         continue;
+      }
+      if (std::any_of(both.begin(), both.end(), [&](int u) { return this->isTooFlatAcross(u, edge); }))
+      {
+        return;
       }
       this->split(edge);
       way.pop_back();

@@ -3,6 +3,7 @@
 
 #include "Harness/shapes.h"
 #include "Mesh/nearest.h"
+#include "Mesh/weld.h"
 
 #include <gtest/gtest.h>
 
@@ -230,4 +231,23 @@ TEST(RefineBetween, NoAngleIsLessThanHalfOfWhatWasThere)
   }
   EXPECT_GE(after, 0.5 * before);
   EXPECT_LT(made->mesh.triangleCount(), 20000);
+}
+
+// An edge passes beside the ring whose ends are far beyond it, so that it is not halved: a triangle at it is
+// cut across, and its parts would come to lie upon that edge, as long as before, and be cut for ever.
+TEST(RefineBetween, ATriangleAtALongEdgeIsNotCutForEver)
+{
+  const Mesh mesh{ { { -5, 0.7, 0 }, { 5, 0.7, 0 }, { 0, -0.9, 0 }, { 0, 0.5, 0 } },
+    { { 0, 3, 1 }, { 0, 2, 3 }, { 3, 2, 1 } } };
+  RefineInput input = inputOn(mesh);
+  input.longest = 0.5;
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  EXPECT_GT(made->mesh.triangleCount(), mesh.triangleCount());
+  EXPECT_LT(made->mesh.triangleCount(), 5000);
+  EXPECT_TRUE(weldPoints(made->mesh.points).empty());
+  for (const Triangle& c : made->mesh.triangles)
+  {
+    EXPECT_GT(smallestAngle(made->mesh, c), 0.01);
+  }
 }
