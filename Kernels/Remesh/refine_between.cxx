@@ -20,6 +20,7 @@ constexpr double leastLength = 0.25;         // of the edge length that half of 
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
+constexpr int piecesOfGap = 8;  // along each of which the way to the line changes evenly
 constexpr double leastHeight = 0.03; // of a triangle over its longest edge, and of that, to be cut across
 
 struct Segment
@@ -96,18 +97,20 @@ public:
     }
     std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
     this->Least = leastLength * ways[ways.size() / 2] / this->Edges;
+    this->Drawn = this->Ring.size();
+    this->addGaps(input.ring);
   }
 
   // Whether the ring touches or crosses the line, so that it asks for no length at all there.
   bool meets() const
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Segment& segment : this->Ring)
+    for (std::size_t s = 0; s < this->Drawn; ++s)
     {
       for (int i = 0; i < 32; ++i)
       {
-        nearest =
-          std::min(nearest, std::get<0>(nearestOf(this->Line, segment.from + (i / 32.0) * segment.along)));
+        const Vector3 place = this->Ring[s].from + (i / 32.0) * this->Ring[s].along;
+        nearest = std::min(nearest, std::get<0>(nearestOf(this->Line, place)));
       }
     }
     return nearest < meeting * this->Least;
@@ -168,7 +171,28 @@ private:
     return std::max(wanted, this->Least);
   }
 
+  // Straight on from run to run: what lies beyond where the ring is hidden is beyond it, too.
+  void addGaps(const std::vector<RunOnMesh>& runs)
+  {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+      const RunOnMesh& next = runs[(i + 1) % runs.size()];
+      if (runs[i].points.empty() || next.points.empty())
+      {
+        continue;
+      }
+      const Vector3& from = runs[i].points.back();
+      const Vector3 step = (next.points.front() - from) / double(piecesOfGap);
+      const auto wayAt = [&](int k) { return std::get<0>(nearestOf(this->Line, from + k * step)); };
+      for (int k = 0; k < piecesOfGap && step.squaredNorm() > 0.0; ++k)
+      {
+        this->Ring.push_back({ from + k * step, step, step.squaredNorm(), { wayAt(k), wayAt(k + 1) } });
+      }
+    }
+  }
+
   std::vector<Segment> Line, Ring;
+  std::size_t Drawn = 0; // of the ring's segments, before those over its gaps
   double Edges, Reach, Least = 0.0;
 };
 

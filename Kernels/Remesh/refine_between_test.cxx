@@ -251,3 +251,35 @@ TEST(RefineBetween, ATriangleAtALongEdgeIsNotCutForEver)
     EXPECT_GT(smallestAngle(made->mesh, c), 0.01);
   }
 }
+
+// A ring that is hidden over a third of its turn: its ends are farther from the line than much that lies
+// beyond the straight way between them.
+TEST(RefineBetween, BeyondAGapOfTheRingIsBeyondTheRing)
+{
+  const Mesh mesh = square(16);
+  RefineInput input = inputOn(mesh);
+  for (Vector3& p : input.line[0].points)
+  {
+    p *= 0.5;
+  }
+  input.ring[0] = {};
+  for (int i = 0; i <= 80; ++i)
+  {
+    const double angle = (-30.0 + 3.0 * i) * pi / 180.0;
+    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
+  }
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  int beyond = 0;
+  for (std::size_t v = 0; v < made->sizes.size(); ++v)
+  {
+    const Vector3& p = made->mesh.points[v];
+    if (std::abs(p[0]) < 0.4 && p[1] < -1.0 && p[1] > -2.0)
+    {
+      EXPECT_NEAR(made->sizes[v], 1.0 / 6.0 + 2.0 * (-1.0 - p[1]), 0.02);
+      ++beyond;
+    }
+  }
+  EXPECT_GT(beyond, 2);
+}
