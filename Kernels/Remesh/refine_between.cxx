@@ -97,7 +97,6 @@ public:
     }
     std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
     this->Least = leastLength * ways[ways.size() / 2] / this->Edges;
-    this->Drawn = this->Ring.size();
     this->addGaps(input.ring);
   }
 
@@ -105,12 +104,12 @@ public:
   bool meets() const
   {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t s = 0; s < this->Drawn; ++s)
+    for (const Segment& segment : this->Ring)
     {
       for (int i = 0; i < 32; ++i)
       {
-        const Vector3 place = this->Ring[s].from + (i / 32.0) * this->Ring[s].along;
-        nearest = std::min(nearest, std::get<0>(nearestOf(this->Line, place)));
+        nearest =
+          std::min(nearest, std::get<0>(nearestOf(this->Line, segment.from + (i / 32.0) * segment.along)));
       }
     }
     return nearest < meeting * this->Least;
@@ -157,11 +156,20 @@ private:
   };
   Place look(const Vector3& p) const
   {
-    const auto [toRing, number, share] = nearestOf(this->Ring, p);
-    const Segment& beside = this->Ring[number];
-    return {
-      std::get<0>(nearestOf(this->Line, p)), toRing, (1.0 - share) * beside.way[0] + share * beside.way[1]
+    const double toLine = std::get<0>(nearestOf(this->Line, p));
+    const auto placeBy = [&](const std::vector<Segment>& segments) -> Place
+    {
+      const auto [away, number, share] = nearestOf(segments, p);
+      const Segment& beside = segments[number];
+      return { toLine, away, (1.0 - share) * beside.way[0] + share * beside.way[1] };
     };
+    const Place place = placeBy(this->Ring);
+    if (this->Gaps.empty() || toLine > place.way)
+    {
+      return place;
+    }
+    const Place hidden = placeBy(this->Gaps);
+    return toLine > hidden.way && hidden.toRing < place.toRing ? hidden : place;
   }
   double wantedAt(const Place& place) const
   {
@@ -186,13 +194,12 @@ private:
       const auto wayAt = [&](int k) { return std::get<0>(nearestOf(this->Line, from + k * step)); };
       for (int k = 0; k < piecesOfGap && step.squaredNorm() > 0.0; ++k)
       {
-        this->Ring.push_back({ from + k * step, step, step.squaredNorm(), { wayAt(k), wayAt(k + 1) } });
+        this->Gaps.push_back({ from + k * step, step, step.squaredNorm(), { wayAt(k), wayAt(k + 1) } });
       }
     }
   }
 
-  std::vector<Segment> Line, Ring;
-  std::size_t Drawn = 0; // of the ring's segments, before those over its gaps
+  std::vector<Segment> Line, Ring, Gaps;
   double Edges, Reach, Least = 0.0;
 };
 
