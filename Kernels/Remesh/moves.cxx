@@ -207,6 +207,30 @@ bool Patch::middleOf(int h, SurfacePoint& result, bool& straight) const
          largestOffset * (this->Points[a] - this->Points[b]).squaredNorm();
 }
 
+// Of an edge between two triangles with a vertex put there: the halves at its ends of the first, then of the
+// second.
+Patch::Halves Patch::halvesAt(int h, const Vector3& p) const
+{
+  const Vector3 &a = this->at(h), &b = this->at(nextHalfEdge(h));
+  const Vector3& c = this->at(previousHalfEdge(h));
+  const Vector3& d = this->at(previousHalfEdge(this->Twin[h]));
+  return { this->cross(a, p, c), this->cross(p, b, c), -this->cross(a, p, d), -this->cross(p, b, d) };
+}
+
+bool Patch::halvesFold(int h, const Halves& half) const
+{
+  const int g = this->Twin[h];
+  const int h1 = nextHalfEdge(h), h2 = previousHalfEdge(h), g1 = nextHalfEdge(g), g2 = previousHalfEdge(g);
+  const int after = foldWeight(half[0], half[1]) + foldWeight(half[2], half[3]) +
+                    foldWeight(half[0], half[2]) + foldWeight(half[1], half[3]) +
+                    this->foldsOver(h2, half[0]) + this->foldsOver(h1, half[1]) +
+                    this->foldsOver(g1, half[2]) + this->foldsOver(g2, half[3]);
+  const Vector3 whole[2] = { this->cross(h / 3), this->cross(g / 3) };
+  return after > 0 && after > foldWeight(whole[0], whole[1]) + this->foldsOver(h2, whole[0]) +
+                                this->foldsOver(h1, whole[0]) + this->foldsOver(g1, whole[1]) +
+                                this->foldsOver(g2, whole[1]);
+}
+
 int Patch::split(int h, std::array<int, 4>& neighbours)
 {
   const bool inside = this->inner(h);
@@ -223,8 +247,7 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
   }
   const Vector3 p = positionOf(this->Original.mesh(), place);
   const Vector3 &pa = this->Points[a], &pb = this->Points[b];
-  // Halves at a and b of the first triangle, then of the second.
-  Vector3 half[4];
+  Halves half;
   double narrowest = std::numeric_limits<double>::infinity(), narrowestBefore = narrowest;
   for (int i = 0; i < (inside ? 2 : 1); ++i)
   {
@@ -242,8 +265,6 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
   {
     return -1;
   }
-  const int h1 = nextHalfEdge(h), h2 = previousHalfEdge(h);
-  const int g1 = inside ? nextHalfEdge(g) : -1, g2 = inside ? previousHalfEdge(g) : -1;
   if (!straight)
   {
     if (turned(whole[0], half[0]) || turned(whole[0], half[1]) || turned(whole[1], half[2]) ||
@@ -251,13 +272,7 @@ int Patch::split(int h, std::array<int, 4>& neighbours)
     {
       return -1;
     }
-    const int after = foldWeight(half[0], half[1]) + foldWeight(half[2], half[3]) +
-                      foldWeight(half[0], half[2]) + foldWeight(half[1], half[3]) +
-                      this->foldsOver(h2, half[0]) + this->foldsOver(h1, half[1]) +
-                      this->foldsOver(g1, half[2]) + this->foldsOver(g2, half[3]);
-    if (after > 0 && after > foldWeight(whole[0], whole[1]) + this->foldsOver(h2, whole[0]) +
-                               this->foldsOver(h1, whole[0]) + this->foldsOver(g1, whole[1]) +
-                               this->foldsOver(g2, whole[1]))
+    if (this->halvesFold(h, half))
     {
       return -1;
     }

@@ -104,6 +104,11 @@ public:
   // The same without a question, of an edge between two triangles with other corners each: puts the vertex at
   // this place of the surface, and to this position, which need not be on it.
   int halve(int h, const SurfacePoint& place, const Vector3& position, std::array<int, 4>& neighbours);
+  // Whether that leaves more folded edges than there are.
+  bool foldsHalved(int h, const Vector3& position) const
+  {
+    return this->halvesFold(h, this->halvesAt(h, position));
+  }
   // Removes the half-edge's origin by merging it into its target, unless an edge longer than `longest`
   // (relative) would come.
   bool collapse(int h, double longest);
@@ -127,6 +132,9 @@ private:
   {
     return this->cross(this->at(3 * t), this->at(3 * t + 1), this->at(3 * t + 2));
   }
+  using Halves = std::array<Vector3, 4>; // of two triangles, given by their cross products
+  Halves halvesAt(int h, const Vector3& p) const;
+  bool halvesFold(int h, const Halves& half) const;
   int foldsOver(int h, const Vector3& own) const;
   double turnOver(int h, const Vector3& own, double length) const;
   double lengthOf(int h) const { return (this->at(nextHalfEdge(h)) - this->at(h)).norm(); }

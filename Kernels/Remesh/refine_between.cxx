@@ -20,8 +20,8 @@ constexpr double leastLength = 0.25;         // of the edge length that half of 
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
-constexpr std::size_t longestWay = 1000; // of triangles each of which has a longer edge than the one before
-constexpr int mostSplits = 20000;        // more than any ring on a sound mesh asks for
+constexpr int piecesOfGap = 8;  // along each of which the way to the line changes evenly
+constexpr double leastHeight = 0.03; // of a triangle over its longest edge, and of that, to be cut across
 
 struct Segment
 {
@@ -97,6 +97,7 @@ public:
     }
     std::nth_element(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2), ways.end());
     this->Least = leastLength * ways[ways.size() / 2] / this->Edges;
+    this->addGaps(input.ring);
   }
 
   // Whether the ring touches or crosses the line, so that it asks for no length at all there.
@@ -155,11 +156,20 @@ private:
   };
   Place look(const Vector3& p) const
   {
-    const auto [toRing, number, share] = nearestOf(this->Ring, p);
-    const Segment& beside = this->Ring[number];
-    return {
-      std::get<0>(nearestOf(this->Line, p)), toRing, (1.0 - share) * beside.way[0] + share * beside.way[1]
+    const double toLine = std::get<0>(nearestOf(this->Line, p));
+    const auto placeBy = [&](const std::vector<Segment>& segments) -> Place
+    {
+      const auto [away, number, share] = nearestOf(segments, p);
+      const Segment& beside = segments[number];
+      return { toLine, away, (1.0 - share) * beside.way[0] + share * beside.way[1] };
     };
+    const Place place = placeBy(this->Ring);
+    if (this->Gaps.empty() || toLine > place.way)
+    {
+      return place;
+    }
+    const Place hidden = placeBy(this->Gaps);
+    return toLine > hidden.way && hidden.toRing < place.toRing ? hidden : place;
   }
   double wantedAt(const Place& place) const
   {
@@ -169,7 +179,27 @@ private:
     return std::max(wanted, this->Least);
   }
 
-  std::vector<Segment> Line, Ring;
+  // Straight on from run to run: what lies beyond where the ring is hidden is beyond it, too.
+  void addGaps(const std::vector<RunOnMesh>& runs)
+  {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+    {
+      const RunOnMesh& next = runs[(i + 1) % runs.size()];
+      if (runs[i].points.empty() || next.points.empty())
+      {
+        continue;
+      }
+      const Vector3& from = runs[i].points.back();
+      const Vector3 step = (next.points.front() - from) / double(piecesOfGap);
+      const auto wayAt = [&](int k) { return std::get<0>(nearestOf(this->Line, from + k * step)); };
+      for (int k = 0; k < piecesOfGap && step.squaredNorm() > 0.0; ++k)
+      {
+        this->Gaps.push_back({ from + k * step, step, step.squaredNorm(), { wayAt(k), wayAt(k + 1) } });
+      }
+    }
+  }
+
+  std::vector<Segment> Line, Ring, Gaps;
   double Edges, Reach, Least = 0.0;
 };
 
@@ -188,7 +218,7 @@ public:
     {
       this->lookAt(t);
     }
-    for (std::size_t i = 0; i < this->Waiting.size() && this->Splits < mostSplits; ++i)
+    for (std::size_t i = 0; i < this->Waiting.size(); ++i)
     {
       const int t = this->Waiting[i];
       this->IsWaiting[t] = 0;
@@ -270,11 +300,20 @@ private:
                (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0));
   }
 
-  // A triangle's longest edge is the longest of those beyond it too, or they come first.
+  // Cut across an edge that is not its longest, a triangle loses half of its height and keeps that one: if
+  // nothing ended this, its parts would come to lie upon the edge, as long as before, and be cut for ever.
+  bool isTooFlatAcross(int t, const Edge& edge) const
+  {
+    const Edge longest = this->longestOf(t);
+    return !(longest == edge) && this->Mesh.cross(t).norm() < leastHeight * longest.squared;
+  }
+
+  // A triangle's longest edge is the longest of those beyond it too, or they come first; each of them has a
+  // longer one than the one before, so that this ends.
   void bisect(int t)
   {
     std::vector<int> way{ t };
-    while (!way.empty() && way.size() < longestWay && this->Splits < mostSplits)
+    while (!way.empty())
     {
       const int now = way.back();
       const Edge edge = this->longestOf(now);
@@ -286,6 +325,10 @@ private:
       {
         way.push_back(*before);
         continue;
+      }
+      if (std::any_of(both.begin(), both.end(), [&](int u) { return this->isTooFlatAcross(u, edge); }))
+      {
+        return;
       }
       this->split(edge);
       way.pop_back();

@@ -3,6 +3,7 @@
 
 #include "Harness/shapes.h"
 #include "Mesh/nearest.h"
+#include "Mesh/weld.h"
 
 #include <gtest/gtest.h>
 
@@ -230,4 +231,55 @@ TEST(RefineBetween, NoAngleIsLessThanHalfOfWhatWasThere)
   }
   EXPECT_GE(after, 0.5 * before);
   EXPECT_LT(made->mesh.triangleCount(), 20000);
+}
+
+// An edge passes beside the ring whose ends are far beyond it, so that it is not halved: a triangle at it is
+// cut across, and its parts would come to lie upon that edge, as long as before, and be cut for ever.
+TEST(RefineBetween, ATriangleAtALongEdgeIsNotCutForEver)
+{
+  const Mesh mesh{ { { -5, 0.7, 0 }, { 5, 0.7, 0 }, { 0, -0.9, 0 }, { 0, 0.5, 0 } },
+    { { 0, 3, 1 }, { 0, 2, 3 }, { 3, 2, 1 } } };
+  RefineInput input = inputOn(mesh);
+  input.longest = 0.5;
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  EXPECT_GT(made->mesh.triangleCount(), mesh.triangleCount());
+  EXPECT_LT(made->mesh.triangleCount(), 5000);
+  EXPECT_TRUE(weldPoints(made->mesh.points).empty());
+  for (const Triangle& c : made->mesh.triangles)
+  {
+    EXPECT_GT(smallestAngle(made->mesh, c), 0.01);
+  }
+}
+
+// A ring that is hidden over a third of its turn: its ends are farther from the line than much that lies
+// beyond the straight way between them.
+TEST(RefineBetween, BeyondAGapOfTheRingIsBeyondTheRing)
+{
+  const Mesh mesh = square(16);
+  RefineInput input = inputOn(mesh);
+  for (Vector3& p : input.line[0].points)
+  {
+    p *= 0.5;
+  }
+  input.ring[0] = {};
+  for (int i = 0; i <= 80; ++i)
+  {
+    const double angle = (-30.0 + 3.0 * i) * pi / 180.0;
+    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
+  }
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  int beyond = 0;
+  for (std::size_t v = 0; v < made->sizes.size(); ++v)
+  {
+    const Vector3& p = made->mesh.points[v];
+    if (std::abs(p[0]) < 0.4 && p[1] < -1.0 && p[1] > -2.0)
+    {
+      EXPECT_NEAR(made->sizes[v], 1.0 / 6.0 + 2.0 * (-1.0 - p[1]), 0.02);
+      ++beyond;
+    }
+  }
+  EXPECT_GT(beyond, 2);
 }

@@ -66,7 +66,8 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 // split before the edit, so that the edit moves their halves to where they belong: in up to six rounds each
 // edge that it makes longer than 4/3 mean edges and than it was, or that is over 0.35 mean edges long and
 // whose middle it carries away from the edge by over 0.03 of its length, the longest first and one of a face
-// in a round; after each, edges are swapped where the smallest angle of the moved faces grows. Faces that
+// in a round, and none where that would leave more edges folded than there are; after each, edges are swapped
+// where the smallest angle of the moved faces grows. Faces that
 // were split, or of which an edge's length changes by over 1 %, are then remeshed as the edit leaves them: in
 // three rounds edges over 4/3 mean edges are split, those under 0.35 collapsed, others swapped so that more
 // vertices have six, and vertices relaxed in the tangent plane and back to the surface; then edges are

@@ -391,6 +391,68 @@ TEST(B11_4, ADragLeavesEvenTriangles)
   fact("B11_4", figures.substr(0, figures.size() - 2));
 }
 
+// Edges whose faces turn by over 120 degrees.
+int foldsIn(const Mesh& mesh)
+{
+  const Adjacency adjacency = buildAdjacency(mesh);
+  int folds = 0;
+  for (std::size_t e = 0; e < adjacency.edges.size(); ++e)
+  {
+    const int* sides = adjacency.trianglesBegin(static_cast<int>(e));
+    folds += adjacency.edges[e].triangleCount == 2 &&
+             facetNormal(mesh, sides[0]).dot(facetNormal(mesh, sides[1])) < -0.5;
+  }
+  return folds;
+}
+
+TEST(Retriangulate, WhereAnEditFoldsNothingNewTrianglesFoldNothing)
+{
+  // Triangles of all shapes, over which a drag stretches and bends some edges far more than those beside
+  // them.
+  int found = 0;
+  for (const double narrow : { 1.0, 0.5, 0.25 })
+  {
+    Enclosure scene = sheet(12);
+    std::vector<char> isHeld(scene.mesh.points.size(), 0);
+    for (const std::vector<int>* curve : { &scene.reference, &scene.boundary })
+    {
+      for (const int v : *curve)
+      {
+        isHeld[v] = 1;
+      }
+    }
+    for (int v = 0; v < scene.mesh.vertexCount(); ++v)
+    {
+      const double shift = isHeld[v] ? 0.0 : 0.35;
+      scene.mesh.points[v] += shift * Vector3(std::sin(12.9898 * v), std::sin(78.233 * v), 0.0);
+      scene.mesh.points[v][1] *= narrow;
+    }
+    for (const double height : { 4.0, 8.0, 12.0, 16.0 })
+    {
+      for (const double steep : { 1.0, 3.0, 9.0 })
+      {
+        const Movement motion = [&](const std::vector<Vector3>& points, const std::vector<double>& shares)
+        {
+          std::vector<Vector3> result;
+          for (std::size_t i = 0; i < points.size(); ++i)
+          {
+            const double weight = shares[i] >= 1.0 ? 0.0 : std::pow(falloff(shares[i]), steep);
+            result.emplace_back(
+              weight == 0.0 ? points[i] : Vector3(points[i] + weight * height * Vector3(0.5, 0, 1)));
+          }
+          return result;
+        };
+        const Edited edited(scene, motion);
+        const Retriangulated result = edited.run();
+        const int before = foldsIn(edited.before()), after = foldsIn(result.mesh);
+        EXPECT_LE(after, before) << narrow << ", " << height << ", " << steep;
+        found += before == 0;
+      }
+    }
+  }
+  EXPECT_GT(found, 6);
+}
+
 TEST(Retriangulate, ValuesAreMixedAsPlacesAre)
 {
   const Edited edited(sheet(12), drag(Vector3(0, 0, halfWidth(12))));

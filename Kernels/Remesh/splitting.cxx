@@ -223,7 +223,8 @@ std::vector<int> Splitting::split()
       later.push_back(wish);
       continue;
     }
-    if (this->hasFlatHalf(wish, h) || this->hasFlatHalf(wish, g) || !this->Taken.take(wish.position))
+    if (this->hasFlatHalf(wish, h) || this->hasFlatHalf(wish, g) ||
+        this->Area.foldsHalved(h, wish.position) || !this->Taken.take(wish.position))
     {
       continue;
     }
