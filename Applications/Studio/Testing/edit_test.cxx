@@ -143,7 +143,7 @@ TEST(Edit, AllOfItIsUndoneAndRedone)
   isAnother("a profile");
   scene.shot("profile_drawn");
   const vtkIdType strokes = linesOf(scene.step(1), "Profile")->GetNumberOfLines();
-  scene.drag(profile, Edits::straight({ w * 4 / 10, h * 3 / 10 }, { w * 6 / 10, h * 3 / 10 }));
+  scene.drag(profile, Edits::straight({ w * 4 / 10, h / 4 }, { w * 6 / 10, h / 4 }));
   EXPECT_EQ(linesOf(scene.step(1), "Profile")->GetNumberOfLines(), strokes + 1);
   isAnother("the profile redrawn");
   // One that crosses itself is taken back, and why is said.

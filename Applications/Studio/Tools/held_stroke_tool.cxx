@@ -305,10 +305,8 @@ void HeldStrokeTool::strokeEnds()
   Step step;
   step.system = this->System;
   step.values = this->StrokeValues;
-  const bool isNew = this->Widget->IsNew();
-  const vtkSmartPointer<vtkPolyData> drawn = this->Widget->GetStroke();
-  step.inputs[this->Input] = Lines(isNew ? this->finished(drawn) : drawn);
-  if (isNew)
+  step.inputs[this->Input] = Lines(this->Widget->GetStroke());
+  if (this->Widget->IsNew())
   {
     this->Followed = nullptr; // until it has been run
     step.mirror = this->Mirror ? this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()) : std::nullopt;

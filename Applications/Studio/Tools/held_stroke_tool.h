@@ -65,11 +65,6 @@ protected:
   // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
   // the stroke would make is looked for there while it is moved.
   virtual vtkSmartPointer<vtkPolyData> meshBefore() const { return nullptr; }
-  // A new line as the step is to have it.
-  virtual vtkSmartPointer<vtkPolyData> finished(vtkPolyData* stroke) { return stroke; }
-  // What a stroke takes hold of (see PenSection), and px of the screen for one as Qt counts them.
-  vtkSmartPointer<vtkPolyData> sectionOf(vtkPolyData* stroke) { return this->Section.of(stroke); }
-  double pixelRatio() const { return this->Ratio; }
   Viewport* viewport() const { return this->View; }
   const Document* document() const { return this->OpenDocument; }
 

@@ -1,19 +1,7 @@
 #include "one_stroke_tool.h"
 
-#include "led_ends.h"
-#include "viewport.h"
-
-#include "vtkRenderWindowInteractor.h"
-
 namespace oversketch_studio
 {
-
-namespace
-{
-
-constexpr double endReach = 9.0; // px as Qt counts them
-
-} // namespace
 
 OneStrokeTool::OneStrokeTool(Viewport* viewport, const Document* document)
   : HeldStrokeTool("OneStroke", viewport, document)
@@ -53,7 +41,6 @@ QVector<QPair<QString, QString>> OneStrokeTool::keys() const
 {
   return HeldStrokeTool::keys() + QVector<QPair<QString, QString>>{
     { "F3", tr("take the next outline that fits") },
-    { tr("Alt"), tr("held at the end: leave the line's ends as drawn") },
     { "[  ]", tr("move less or more of the body") },
   };
 }
@@ -87,13 +74,6 @@ QString OneStrokeTool::advice(const Situation& situation) const
 QString OneStrokeTool::remedy() const
 {
   return tr("Ctrl+Z undo · F3 other outline · [ ] reach");
-}
-
-vtkSmartPointer<vtkPolyData> OneStrokeTool::finished(vtkPolyData* stroke)
-{
-  const auto section = this->viewport()->interactor()->GetAltKey() ? nullptr : this->sectionOf(stroke);
-  return section ? withLedEnds(stroke, section, endReach * this->pixelRatio())
-                 : vtkSmartPointer<vtkPolyData>(stroke);
 }
 
 QString OneStrokeTool::stage(const QString& name) const

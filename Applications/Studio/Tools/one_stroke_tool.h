@@ -23,10 +23,6 @@ public:
   QString advice(const Situation& situation) const override;
   QString remedy() const override;
   QString stage(const QString& name) const override;
-
-protected:
-  // Its ends meet the outline that goes on there, unless Alt is held.
-  vtkSmartPointer<vtkPolyData> finished(vtkPolyData* stroke) override;
 };
 
 } // namespace oversketch_studio

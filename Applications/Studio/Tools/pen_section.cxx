@@ -8,7 +8,6 @@
 
 #include <QTimer>
 
-#include <chrono>
 #include <utility>
 
 namespace oversketch_studio
@@ -17,8 +16,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int rest = 100;                             // ms without a frame: camera and pen have come to rest
-constexpr std::chrono::milliseconds longestWait(500); // of the hand; running the stroke takes longer
+constexpr int rest = 100; // ms without a frame: camera and pen have come to rest
 
 } // namespace
 
@@ -53,13 +51,6 @@ void PenSection::setValues(const oversketch_session::Values& values)
 {
   this->StrokeValues = values;
   this->Grew = true; // what it will make has changed
-}
-
-vtkSmartPointer<vtkPolyData> PenSection::of(vtkPolyData* stroke)
-{
-  this->Asked = this->Outdated = this->Finder.find(stroke, this->StrokeValues);
-  const auto found = this->Finder.wait(this->Asked, longestWait);
-  return found ? found->section : nullptr;
 }
 
 void PenSection::lineBegins()

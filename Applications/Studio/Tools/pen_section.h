@@ -32,8 +32,6 @@ public:
   void setMesh(vtkPolyData* mesh);
   // The values that the stroke will have, from here on.
   void setValues(const oversketch_session::Values& values);
-  // What that stroke takes hold of, waited for; null where it is not known in time.
-  vtkSmartPointer<vtkPolyData> of(vtkPolyData* stroke);
   // The pen goes down; the line has grown; a frame begins that shows it; a frame has been painted.
   void lineBegins();
   // A stroke that is moved has come there; it has been let go of.
