@@ -78,10 +78,12 @@ struct Mirrored
     const MirrorPlane& plane,
     int remesh,
     bool follow = true,
-    const Listener& listener = {})
+    const Listener& listener = {},
+    bool allowTorn = false)
   {
     this->step.system = "OneStroke";
     this->step.values["Remesh"] = remesh;
+    this->step.values["AllowTorn"] = allowTorn;
     this->step.mirror = plane;
     this->runner.setFollowPartners(follow);
     this->outcome.mesh = mesh;
@@ -399,7 +401,7 @@ TEST(Mirror, ProgressOnlyGrowsAndACancelOnTheOtherSideIsHeard)
 TEST(Mirror, WarningsAreSaidOnceForEachSide)
 {
   const auto bear = shippedModel("bear");
-  // A comb's teeth, which the arm cannot follow.
+  // A comb's teeth, which the arm cannot follow: it passes through itself.
   std::vector<Vector3> comb{ { 0.42, 1.03, 0.0 } };
   for (int i = 0; i < 9; ++i)
   {
@@ -410,19 +412,19 @@ TEST(Mirror, WarningsAreSaidOnceForEachSide)
   std::vector<std::string> said;
   Listener listener;
   listener.warning = [&](const std::string& message) { said.push_back(message); };
-  const Mirrored partners(bear, stroke, { 0, 0.0 }, off, true, listener);
+  const Mirrored partners(bear, stroke, { 0, 0.0 }, off, true, listener, true);
   ASSERT_EQ(partners.outcome.failure, "");
   ASSERT_EQ(said.size(), 1u);
   const std::string remark = said[0];
   said.clear();
-  const Mirrored runs(bear, stroke, { 0, 0.0 }, off, false, listener);
+  const Mirrored runs(bear, stroke, { 0, 0.0 }, off, false, listener, true);
   EXPECT_EQ(said, (std::vector<std::string>{ remark, "mirrored to x < 0: " + remark }));
   said.clear();
   vtkNew<vtkPolyData> crooked; // in one point, which moves
   crooked->DeepCopy(bear);
   const vtkIdType tip = crooked->FindPoint(0.95, 0.74, 0.07);
   crooked->GetPoints()->SetPoint(tip, Vector3(at(bear, tip) + Vector3(0.002, 0.001, 0.0)).data());
-  const Mirrored tried(crooked, stroke, { 0, 0.0 }, off, true, listener);
+  const Mirrored tried(crooked, stroke, { 0, 0.0 }, off, true, listener, true);
   ASSERT_EQ(tried.outcome.failure, "");
   EXPECT_EQ(said.size(), 2u) << "what was only tried is not spoken of";
 }
