@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <limits>
 #include <map>
 #include <vector>
@@ -56,7 +55,7 @@ Array* allocated(vtkImageData* image, double width, double height)
   return samples;
 }
 
-// Of 16 bits, of which VTK's reader makes 8 and a gamma; null for others.
+// Samples of 16 bits, of which VTK's reader makes 8 and a gamma; null for others.
 vtkSmartPointer<vtkImageData> readPng16(const std::string& bytes)
 {
   constexpr std::size_t depth = 24; // where the head tells it

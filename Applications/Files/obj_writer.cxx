@@ -53,7 +53,7 @@ vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
            : nullptr;
 }
 
-// What faces are marked with from a line of the file on: materials or groups.
+// Materials or groups, which a line of the file gives to the faces after it.
 class Marks
 {
 public:

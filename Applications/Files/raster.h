@@ -15,8 +15,8 @@ namespace oversketch_files
 // GDAL's name of the format that such bytes have, "GTiff", "PNG", "BMP" or "WEBP"; "" for others.
 std::string rasterFormatOf(const std::string& bytes);
 
-// What the module oversketch_raster does. Each function gives null for files that are damaged or of another
-// kind, that say to be larger than 16384 samples a side or than so few bytes can make them, and that have no
+// Functions of the module oversketch_raster. Each gives null for files that are damaged or of another kind,
+// that say to be larger than 16384 samples a side or than so few bytes can make them, and that have no
 // samples. Rows are from the bottom.
 struct RasterReader
 {

@@ -1,4 +1,4 @@
-// What an evaluator remembers: numbers of outcomes, and the outcomes up to its budget.
+// Memory of an evaluator: numbers of outcomes, and the outcomes up to its budget.
 #include "evaluator.h"
 
 #include <algorithm>

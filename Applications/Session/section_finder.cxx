@@ -94,14 +94,6 @@ std::optional<SectionFinder::Found> SectionFinder::take()
   return std::exchange(this->Answer, std::nullopt);
 }
 
-std::optional<SectionFinder::Found> SectionFinder::wait(std::uint64_t ticket, std::chrono::milliseconds most)
-{
-  std::unique_lock<std::mutex> lock(this->Mutex);
-  const bool came =
-    this->Answered.wait_for(lock, most, [&] { return this->Answer && this->Answer->ticket >= ticket; });
-  return came ? std::exchange(this->Answer, std::nullopt) : std::nullopt;
-}
-
 void SectionFinder::work()
 {
   const vtkSmartPointer<vtkOversketchSystem> system = this->System.make();
@@ -170,7 +162,6 @@ void SectionFinder::work()
       }
       this->Answer.emplace(std::move(made));
     }
-    this->Answered.notify_one();
     this->WhenFound();
   }
 }

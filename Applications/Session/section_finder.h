@@ -10,7 +10,6 @@
 
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -47,8 +46,6 @@ public:
   SectionFinder(const SectionFinder&) = delete;
   SectionFinder& operator=(const SectionFinder&) = delete;
 
-  // Waits for the answer to a ticket, or a newer one, at most so long.
-  std::optional<Found> wait(std::uint64_t ticket, std::chrono::milliseconds most);
   // The newest answer, once. A stroke that a newer one replaced before it was looked at has none.
   std::optional<Found> take();
 
@@ -80,7 +77,7 @@ private:
   std::function<void()> WhenFound;
   Look LookFor;
   std::mutex Mutex;
-  std::condition_variable Wake, Answered;
+  std::condition_variable Wake;
   std::optional<vtkSmartPointer<vtkPolyData>> Mesh; // until the thread takes it
   std::optional<Request> Next;
   std::optional<Found> Answer;

@@ -35,7 +35,7 @@ public:
   // The first bands as scalars of VTK's `type`, rows from the bottom; null where the samples are damaged.
   // `fromTop`: whether the file's first row is the uppermost one.
   vtkSmartPointer<vtkImageData> samples(int type, int count, bool fromTop) const;
-  // The same of any band that is one byte a sample, such as a mask of the first.
+  // Reads a band of one byte a sample, such as a mask of the first, in the same order.
   bool readBytes(GDALRasterBandH band, unsigned char* lowerLeft, bool fromTop) const;
 
 private:

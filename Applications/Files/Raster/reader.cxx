@@ -146,8 +146,8 @@ int channelsOf(const Dataset& file)
   return colours + (bands > colours && isAlpha(colours + 1) ? 1 : 0);
 }
 
-// Of 8 bits a channel; null for other samples than of 8 or 16 bits, and for damaged ones. GDAL makes colours
-// of inks, and a palette of samples of which 0 is white.
+// Picture of 8 bits a channel; null for other samples than of 8 or 16 bits, and for damaged ones. GDAL makes
+// colours of inks, and a palette of samples of which 0 is white.
 vtkSmartPointer<vtkImageData> pixelsOf(const std::string& bytes, const char* format)
 {
   const Dataset file(bytes, format);

@@ -465,7 +465,7 @@ TEST(Notes, SayWhatAUserLosesAndNothingOfASystemsOwn)
     "values temperature, the values StellarVersion\n");
 }
 
-// Which face is of which group, a name that comes again among them, and faces before the first one.
+// Faces keep their groups: those of a name that comes again, and those before the first one.
 TEST(Obj, GroupsComeBackByName)
 {
   const Place place;

@@ -82,49 +82,6 @@ struct BadHands : Scene
   }
 };
 
-// The dog's back as it is seen: where its points are, and the highest of each column between tail and neck.
-struct Back
-{
-  std::vector<QPoint> places;
-  int width = 0, from = 0, to = 0;
-  std::map<int, int> highest; // by columns of 6 px
-
-  explicit Back(BadHands& scene)
-  {
-    const auto mesh = scene.document->result().mesh;
-    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-    {
-      this->places.push_back(scene.seen(mesh->GetPoint(i)));
-    }
-    const auto [left, right] = std::minmax_element(this->places.begin(),
-      this->places.end(),
-      [](const QPoint& a, const QPoint& b) { return a.x() < b.x(); });
-    this->width = right->x() - left->x();
-    this->from = left->x() + 3 * this->width / 10;
-    this->to = left->x() + this->width / 2;
-    for (const QPoint& place : this->places)
-    {
-      if (place.x() >= this->from && place.x() <= this->to)
-      {
-        int& top = this->highest.emplace(place.x() / 6, place.y()).first->second;
-        top = std::min(top, place.y());
-      }
-    }
-  }
-  // Above it, by so many px at its ends and more in its middle.
-  std::vector<QPoint> line(double ends, double middle) const
-  {
-    std::vector<QPoint> line;
-    for (const auto& [column, top] : this->highest)
-    {
-      const double along = (6.0 * column + 3.0 - this->from) / (this->to - this->from);
-      line.emplace_back(
-        6 * column + 3, top - static_cast<int>(std::lround(ends + middle * std::sin(3.14159265 * along))));
-    }
-    return line;
-  }
-};
-
 } // namespace
 
 TEST(BadHand, IsToldHowFarFromTheModelALineIsAndThatAResultTears)
@@ -311,10 +268,30 @@ TEST(BadHand, ALineAlongTheBackTakesNoLimbWithIt)
   BadHands scene;
   const auto before = scene.document->result().mesh;
   const vtkIdType count = before->GetNumberOfPoints();
-  const Back back(scene);
-  const std::vector<QPoint> line = back.line(0.0, 16.0);
-  const std::vector<QPoint>& places = back.places;
-  const int from = back.from, to = back.to, width = back.width;
+  std::vector<QPoint> places;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    places.push_back(scene.seen(before->GetPoint(i)));
+  }
+  const auto [left, right] = std::minmax_element(
+    places.begin(), places.end(), [](const QPoint& a, const QPoint& b) { return a.x() < b.x(); });
+  const int width = right->x() - left->x(), from = left->x() + 3 * width / 10, to = left->x() + width / 2;
+  std::map<int, int> back; // the highest place of each column
+  for (const QPoint& place : places)
+  {
+    if (place.x() >= from && place.x() <= to)
+    {
+      int& highest = back.emplace(place.x() / 6, place.y()).first->second;
+      highest = std::min(highest, place.y());
+    }
+  }
+  std::vector<QPoint> line;
+  for (const auto& [column, highest] : back)
+  {
+    const double along = (6.0 * column + 3.0 - from) / (to - from);
+    line.emplace_back(
+      6 * column + 3, highest - static_cast<int>(std::lround(16.0 * std::sin(3.14159265 * along))));
+  }
   ASSERT_GT(line.size(), 10u);
   scene.stroke(line);
   const auto& result = scene.document->result();
