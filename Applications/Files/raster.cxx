@@ -33,7 +33,9 @@ const RasterReader& rasterReader()
 {
   static const auto* const reader = []() -> const RasterReader*
   {
-    void* const module = dlopen(OVERSKETCH_RASTER_MODULE, RTLD_NOW | RTLD_LOCAL); // where other libraries are
+    // By its name, as other libraries are found. A sanitizer loads it in our place, and then the executable's RPATH alone counts:
+    // their presets link without new dtags.
+    void* const module = dlopen(OVERSKETCH_RASTER_MODULE, RTLD_NOW | RTLD_LOCAL);
     return module ? static_cast<const RasterReader*>(dlsym(module, "oversketch_raster_reader")) : nullptr;
   }();
   if (!reader)
