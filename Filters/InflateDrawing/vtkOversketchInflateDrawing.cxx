@@ -117,6 +117,7 @@ vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* sel
   this->QuadMerge->SetInputConnection(0, this->CoarseMesh->GetOutputPort(0));
   this->QuadMerge->SetInputConnection(1, this->CoarseMesh->GetOutputPort(1));
   this->Refine->SplitsAreTakenOn();
+  this->Refine->LargeFacesOnceMoreOn();
   this->Refine->SetInputConnection(2, this->Distance->GetOutputPort(0));
   this->Inflate->SetInputConnection(0, this->Refine->GetOutputPort(0));
   this->Inflate->SetInputConnection(1, this->Distance->GetOutputPort(1));

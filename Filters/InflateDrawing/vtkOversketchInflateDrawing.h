@@ -124,7 +124,8 @@ public:
 
   ///@{
   /**
-   * How often the coarse mesh is refined [0 to 10, default 3].
+   * How often the coarse mesh is refined [0 to 10, default 3]; where its faces are large, once more, if not
+   * 0 and not as published, see vtkOversketchPlanarRefine's LargeFacesOnceMore.
    */
   void SetLevels(int levels);
   vtkGetMacro(Levels, int);

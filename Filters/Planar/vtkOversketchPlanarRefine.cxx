@@ -70,6 +70,7 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       PlanarRefineOptions options;
       const bool fromSketch = this->LevelsFromSketch && !this->AsPublished;
       options.levels = fromSketch ? 0 : this->Levels;
+      const bool onceMore = this->LargeFacesOnceMore && !this->AsPublished && !fromSketch && this->Levels > 0;
       options.snapShare = this->SnapShare;
       options.guard = this->Guard && !this->AsPublished;
       options.quads = this->Quads;
@@ -80,7 +81,8 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
                              options.snapShare,
                              static_cast<double>(options.guard),
                              static_cast<double>(options.quads),
-                             static_cast<double>(fromSketch) }),
+                             static_cast<double>(fromSketch),
+                             static_cast<double>(onceMore) }),
         output,
         [&](vtkPolyData* result)
         {
@@ -89,6 +91,7 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
           options.canvasSide = drawing.Rectangle.longest();
           const PlanarMesh coarse = PlanarMeshOf(faces, edges);
           options.levels = fromSketch ? levelsOfSketch(coarse, options.canvasSide) : options.levels;
+          options.levels += onceMore && hasLargeFaces(coarse, options.canvasSide);
           const PlanarRefineResult made = refinePlanar(coarse, drawing.Strokes, options, ContextOf(this));
           WritePlanarMesh(made.mesh, result);
           cache.Edges->Initialize();
@@ -122,6 +125,7 @@ void vtkOversketchPlanarRefine::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
+  os << indent << "LargeFacesOnceMore: " << this->LargeFacesOnceMore << "\n";
   os << indent << "SnapShare: " << this->SnapShare << "\n";
   os << indent << "Guard: " << this->Guard << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";

@@ -94,6 +94,17 @@ public:
 
   ///@{
   /**
+   * Whether a mesh whose faces are larger on the mean than the square of a sixteenth of the canvas's longest
+   * side is refined once more than Levels says, if that is not 0 [default and as published off; the system
+   * of drawings turns it on]. Not read with LevelsFromSketch.
+   */
+  vtkSetMacro(LargeFacesOnceMore, bool);
+  vtkGetMacro(LargeFacesOnceMore, bool);
+  vtkBooleanMacro(LargeFacesOnceMore, bool);
+  ///@}
+
+  ///@{
+  /**
    * The portion of a snapped feature point's way that its neighbours on no stroke go too [0 to 1, default and
    * as published 0.3].
    */
@@ -112,7 +123,7 @@ public:
 
   ///@{
   /**
-   * As published: Guard and LevelsFromSketch do not count as on [default off].
+   * As published: Guard, LevelsFromSketch and LargeFacesOnceMore do not count as on [default off].
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -145,7 +156,7 @@ public:
   vtkGetMacro(Inverted, int);
 
   /**
-   * Of the last refinement: the levels, Levels or those of the sketch.
+   * Of the last refinement: the levels, Levels, one more, or those of the sketch.
    */
   vtkGetMacro(LevelsMade, int);
 
@@ -166,6 +177,7 @@ private:
 
   int Levels = 3;
   bool LevelsFromSketch = false;
+  bool LargeFacesOnceMore = false;
   double SnapShare = 0.3;
   bool Guard = true;
   bool AsPublished = false;

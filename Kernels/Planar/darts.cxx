@@ -16,6 +16,8 @@ constexpr double dartShare = 0.7;
 constexpr double leastRadius = 6.0;   // px
 constexpr double besideCorner = 0.05; // of the raster's longer side: r beside a corner that points inwards
 constexpr double sharp = 0.70710678118654752; // cosine of 45 degrees
+constexpr double growth = 0.35;               // of r with the distance from a line's vertex
+constexpr double leastSize = 0.03;            // of the raster's longer side: r beside short pieces
 
 // A pixel where a dart may lie, and its distance r [px].
 struct Candidate
@@ -59,24 +61,72 @@ std::vector<Vector2> inwardCorners(const std::vector<StrokeLine>& lines, const F
 // By rows, in a row by columns.
 using Rows = std::vector<std::vector<Candidate>>;
 
-// Of each pixel of a row how far the nearest of these is, squared; infinite where all are farther than `most`
-// px.
-void squaresTo(const std::vector<Vector2>& corners, double most, int y, std::vector<double>& squares)
+// What bounds r about a place: `atLeast`, and farther off the size there and a share of the distance.
+struct Bound
 {
-  std::fill(squares.begin(), squares.end(), std::numeric_limits<double>::infinity());
-  const int width = static_cast<int>(squares.size());
-  for (const Vector2& corner : corners)
+  Vector2 place; // px
+  double size, growth, atLeast;
+};
+
+// Of each line's vertices, the mean of the pieces that end there; none that others imply.
+void addSizes(const std::vector<StrokeLine>& lines, const Frame& frame, std::vector<Bound>& bounds)
+{
+  const double least = leastSize * std::max(frame.width, frame.height);
+  std::vector<Bound> sizes;
+  for (const StrokeLine& line : lines)
   {
-    const double dy = y - corner[1];
-    if (std::abs(dy) > most)
+    const std::size_t count = line.places.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      double sum = 0.0;
+      int pieces = 0;
+      for (const std::size_t j : { i, (i + count - 1) % count }) // the pieces that begin there
+      {
+        if (line.closed || j + 1 < count)
+        {
+          sum += (line.places[(j + 1) % count] - line.places[j]).norm() / frame.spacing;
+          ++pieces;
+        }
+      }
+      if (pieces > 0)
+      {
+        const double size = std::max(least, sum / pieces);
+        sizes.push_back({ frame.toPixels(line.places[i]), size, growth, size });
+      }
+    }
+  }
+  std::stable_sort(
+    sizes.begin(), sizes.end(), [](const Bound& a, const Bound& b) { return a.size < b.size; });
+  const std::size_t first = bounds.size();
+  for (const Bound& bound : sizes)
+  {
+    const auto implies = [&](const Bound& other)
+    { return other.size + growth * (other.place - bound.place).norm() <= bound.size; };
+    if (std::none_of(bounds.begin() + static_cast<std::ptrdiff_t>(first), bounds.end(), implies))
+    {
+      bounds.push_back(bound);
+    }
+  }
+}
+
+// Of each pixel of a row the least that these allow, at most `most`.
+void allowed(const std::vector<Bound>& bounds, double most, int y, std::vector<double>& radii)
+{
+  std::fill(radii.begin(), radii.end(), most);
+  const int width = static_cast<int>(radii.size());
+  for (const Bound& bound : bounds)
+  {
+    const double dy = y - bound.place[1], reach = (most - bound.size) / bound.growth;
+    if (!(std::abs(dy) < reach))
     {
       continue;
     }
-    const int last = std::min(width - 1, static_cast<int>(corner[0] + most) + 1);
-    for (int x = std::max(0, static_cast<int>(corner[0] - most)); x <= last; ++x)
+    const int last = std::min(width - 1, static_cast<int>(bound.place[0] + reach) + 1);
+    for (int x = std::max(0, static_cast<int>(bound.place[0] - reach)); x <= last; ++x)
     {
-      const double dx = x - corner[0];
-      squares[x] = std::min(squares[x], dx * dx + dy * dy);
+      const double dx = x - bound.place[0];
+      const double radius = bound.size + bound.growth * std::sqrt(dx * dx + dy * dy);
+      radii[x] = std::min(radii[x], std::max(bound.atLeast, radius));
     }
   }
 }
@@ -99,28 +149,31 @@ Rows farFromRims(const DistanceMaps& maps,
     }
   }
   const bool local = mode == DartMode::Local;
-  const std::vector<Vector2> corners = local ? inwardCorners(lines, maps.frame) : std::vector<Vector2>();
-  const double least = besideCorner * std::max(maps.frame.width, maps.frame.height);
+  std::vector<Bound> bounds;
+  if (local)
+  {
+    const double least = besideCorner * std::max(maps.frame.width, maps.frame.height);
+    for (const Vector2& corner : inwardCorners(lines, maps.frame))
+    {
+      bounds.push_back({ corner, 0.0, 1.0, least });
+    }
+    addSizes(lines, maps.frame, bounds);
+  }
   const double most =
     local ? dartShare * *std::max_element(maps.thickness.begin(), maps.thickness.end()) : 0.0;
   Rows rows(maps.frame.height);
-  const auto radiusAt = [&](std::size_t i, double square)
+  const auto radiusAt = [&](std::size_t i, double allowed)
   {
-    if (!local)
-    {
-      return 0.5 * greatest[maps.object[i]];
-    }
-    const float toCorner = static_cast<float>(std::min(most, std::sqrt(square)));
-    return std::max(
-      leastRadius, std::min<double>(dartShare * maps.thickness[i], std::max<double>(least, toCorner)));
+    return local ? std::max(leastRadius, std::min<double>(dartShare * maps.thickness[i], allowed))
+                 : 0.5 * greatest[maps.object[i]];
   };
   context.parallelFor(maps.frame.height,
     [&](int begin, int end)
     {
-      std::vector<double> squares(maps.frame.width);
+      std::vector<double> radii(maps.frame.width);
       for (int y = begin; y < end && !context.cancelled(); ++y)
       {
-        squaresTo(corners, most, y, squares);
+        allowed(bounds, most, y, radii);
         for (int x = 0; x < maps.frame.width; ++x)
         {
           const std::size_t i = maps.frame.index(x, y);
@@ -128,7 +181,7 @@ Rows farFromRims(const DistanceMaps& maps,
           {
             continue;
           }
-          const double radius = radiusAt(i, squares[x]);
+          const double radius = radiusAt(i, radii[x]);
           if (maps.distance[i] >= radius)
           {
             rows[y].push_back({ x, y, maps.object[i], radius });

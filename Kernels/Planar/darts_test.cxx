@@ -1,6 +1,7 @@
 // Facts of image-assisted.md, section 8.
 #include "Planar/darts.h"
 #include "Planar/planar_shapes.h"
+#include "Planar/triangulate.h"
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,20 @@ std::vector<double> radiiOf(const UnitDrawing& drawing, DartMode mode)
     }
   }
   const std::vector<Vector2> corners = inwardCorners(drawing);
+  const double longer = std::max(maps.frame.width, maps.frame.height);
+  std::vector<std::pair<Vector2, double>> sizes; // vertices, and the mean of the pieces that end there
+  for (const StrokeLine& line : drawing.lines())
+  {
+    const std::size_t n = line.places.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const bool first = !line.closed && i == 0, last = !line.closed && i + 1 == n;
+      const double before = first ? 0.0 : (line.places[i] - line.places[(i + n - 1) % n]).norm();
+      const double after = last ? 0.0 : (line.places[(i + 1) % n] - line.places[i]).norm();
+      const double mean = (before + after) / (first || last ? 1.0 : 2.0) / maps.frame.spacing;
+      sizes.emplace_back(maps.frame.toPixels(line.places[i]), std::max(0.03 * longer, mean));
+    }
+  }
   std::vector<double> radii(maps.object.size(), -1.0);
   for (int y = 0; y < maps.frame.height; ++y)
   {
@@ -96,7 +111,11 @@ std::vector<double> radiiOf(const UnitDrawing& drawing, DartMode mode)
         {
           corner = std::min(corner, (place - Vector2(x, y)).norm());
         }
-        corner = std::max(corner, 0.05 * std::max(maps.frame.width, maps.frame.height));
+        corner = std::max(corner, 0.05 * longer);
+        for (const auto& [place, size] : sizes)
+        {
+          corner = std::min(corner, size + 0.35 * (place - Vector2(x, y)).norm());
+        }
         radius = std::max(6.0, std::min(0.7 * maps.thickness[i], corner));
       }
       bool legal = maps.distance[i] >= radius;
@@ -232,6 +251,36 @@ TEST(C8_3, ASeedGivesTheSameDarts)
   fact("C8_3",
     "seed 7: the same " + std::to_string(first.size()) +
       " darts again, on two threads and with the strokes turned round");
+}
+
+TEST(Darts, AreCloserBesideShortPieces)
+{
+  // A feature 4 px inside a ball's rim: both have short pieces there, so that they do not meet.
+  const UnitDrawing drawing({ circleStroke(0.5, 0.5, 0.3), circleStroke(0.5, 0.5, 0.296) });
+  const std::vector<StrokeLine> lines = drawing.lines();
+  const std::vector<Vector2> darts = throwDarts(drawing.maps, lines, DartMode::Local, 1, Context());
+  const PlanarMesh mesh = triangulate(lines, darts, Context());
+  std::vector<double> least;
+  for (const PlanarFace& face : mesh.faces)
+  {
+    double angle = 180.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector2& at = mesh.points[face.corners[k]].place;
+      const Vector2 u = mesh.points[face.corners[(k + 1) % 3]].place - at,
+                    v = mesh.points[face.corners[(k + 2) % 3]].place - at;
+      angle = std::min(angle, std::atan2(u[0] * v[1] - u[1] * v[0], u.dot(v)) * 360.0 / turn);
+    }
+    const auto isDart = [&](int corner)
+    { return corner >= 0 && mesh.points[corner].kind == BoundaryKind::Interior; };
+    if (std::any_of(face.corners.begin(), face.corners.end(), isDart))
+    {
+      least.push_back(angle);
+    }
+  }
+  ASSERT_GE(least.size(), 10u);
+  std::nth_element(least.begin(), least.begin() + least.size() / 2, least.end());
+  EXPECT_GE(least[least.size() / 2], 25.0); // one dart in the middle was the tip of needles
 }
 
 TEST(Darts, StopWhenAsked)

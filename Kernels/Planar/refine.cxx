@@ -19,6 +19,7 @@ constexpr double lengthSlack = 1e-9; // of a stroke's whole: lengths may have be
 // How far samples may lie from the refined edges, of the canvas's longest side: as far as those of a round
 // curve may from its approximation, which each level brings four times nearer, and 4 px of 1024 in any case.
 constexpr double roundCurve = 0.05, nearEnough = 0.004;
+constexpr double largeFace = 0.0625; // side of a square, of the canvas's longest side
 constexpr int mostLevels = 10;
 constexpr double mostFaces = 1 << 24;
 constexpr double enoughFaces = 1 << 20; // where the sketch says the levels
@@ -228,6 +229,21 @@ int levelsOfSketch(const PlanarMesh& mesh, double canvasSide)
     faces *= 4.0;
   }
   return levels;
+}
+
+bool hasLargeFaces(const PlanarMesh& mesh, double canvasSide)
+{
+  double area = 0.0;
+  for (const PlanarFace& face : mesh.faces)
+  {
+    for (int k = 1; k + 1 < face.count(); ++k)
+    {
+      area += signedArea(mesh.points[face.corners[0]].place,
+        mesh.points[face.corners[k]].place,
+        mesh.points[face.corners[k + 1]].place);
+    }
+  }
+  return area > std::pow(largeFace * canvasSide, 2) * static_cast<double>(mesh.faces.size());
 }
 
 PlanarRefineResult refinePlanar(const PlanarMesh& mesh,

@@ -63,6 +63,12 @@ PlanarRefineResult refinePlanar(const PlanarMesh& mesh,
 // edge beside many short ones is not worth more.
 int levelsOfSketch(const PlanarMesh& mesh, double canvasSide);
 
+// Whether a coarse mesh's faces are larger on the mean than the square of a sixteenth of the canvas's longest
+// side: after three levels they would be wider than 8 px of 1024. Departure: of such a mesh, of a drawing
+// that is plump and has few corners, inflated triangles are turned by over 12 degrees and cut dents of up to
+// 5 px into the foot of a limb, and the rim is up to 4 px off.
+bool hasLargeFaces(const PlanarMesh& mesh, double canvasSide);
+
 // The mesh with every chord, an edge on no stroke between two points of rims, split in the middle, and the
 // faces beside them: two copies of it, joined along the rims, would have the chord's edge four times. From
 // level 1 on there are none, of triangles where none of them has two edges on rims.

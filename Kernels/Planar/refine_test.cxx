@@ -194,6 +194,21 @@ TEST(C9_4, AnOctagonBecomesItsCircle)
     "8 base points of a circle, k = 3: 64 boundary points, area 32 R^2 sin(2 pi/64) within " + digits(worst));
 }
 
+TEST(Refine, LargeFacesAreThoseOverASixteenthOfTheCanvas)
+{
+  const PlanarMesh mesh = squareDrawing().mesh;
+  double area = 0.0;
+  for (const PlanarFace& face : mesh.faces)
+  {
+    area += signedArea(mesh.points[face.corners[0]].place,
+      mesh.points[face.corners[1]].place,
+      mesh.points[face.corners[2]].place);
+  }
+  const double side = std::sqrt(area / static_cast<double>(mesh.faces.size()));
+  EXPECT_TRUE(hasLargeFaces(mesh, 15.99 * side));
+  EXPECT_FALSE(hasLargeFaces(mesh, 16.01 * side));
+}
+
 TEST(PlanarRefine, TheSketchSaysTheLevels)
 {
   // A side of 0.5 becomes less than 0.02 by 5 levels; on a canvas 8 times as large it is that much shorter.

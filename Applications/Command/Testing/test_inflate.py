@@ -148,11 +148,11 @@ def test_options_do_what_they_say(tmp_path):
         return mesh, json.loads((tmp_path / "made.json").read_text())
 
     plain, report = made()
-    assert report["levels"] == 3 and not report["options"]["poisson"] and not report["options"]["as_published"]
-    # Each level makes four triangles of one.
-    for levels in (0, 2):
+    assert report["levels"] == 4 and not report["options"]["poisson"] and not report["options"]["as_published"]
+    # Each level makes four triangles of one; faces as large as the disc's are refined once more, not as published.
+    for levels, made_of in ((0, 0), (2, 3)):
         mesh, report = made("--levels", str(levels))
-        assert report["levels"] == levels and mesh.GetNumberOfPolys() == 2 * report["faces"]["CoarseMesh"] * 4 ** levels
+        assert report["levels"] == made_of and mesh.GetNumberOfPolys() == 2 * report["faces"]["CoarseMesh"] * 4 ** made_of
     half, _ = made("--height", "0.5")
     assert numpy.allclose(points_of(half), points_of(plain) * [1, 1, 0.5], atol=1e-9)
     # Poisson's equation: the same outline, another height.
@@ -161,7 +161,7 @@ def test_options_do_what_they_say(tmp_path):
     assert numpy.allclose(poisson.GetBounds()[:4], plain.GetBounds()[:4], atol=1e-6)
     # As published: thickness and profile are not smoothed, so other heights.
     published, report = made("--as-published")
-    assert report["options"]["as_published"]
+    assert report["options"]["as_published"] and report["levels"] == 3
     assert abs(size(published) - size(plain)) > 0.01 * size(plain)
 
 

@@ -199,6 +199,56 @@ TEST(InflateDrawing, RimsHaveNoKeel)
   }
 }
 
+TEST(InflateDrawing, LargeFacesAreRefinedOnceMore)
+{
+  for (const double radius : { 250.0, 40.0 })
+  {
+    System system(drawn({ circle(400, 300, radius) }));
+    system.mesh();
+    EXPECT_EQ(system.filter->GetLevelsMade(), radius > 100.0 ? 4 : 3);
+    system.filter->SetLevels(1);
+    system.mesh();
+    EXPECT_EQ(system.filter->GetLevelsMade(), radius > 100.0 ? 2 : 1);
+    system.filter->SetLevels(0);
+    system.mesh();
+    EXPECT_EQ(system.filter->GetLevelsMade(), 0);
+  }
+}
+
+TEST(InflateDrawing, AFeatureBesideTheRimLeavesEvenTriangles)
+{
+  // A line 4 px inside, all the way round or a part of it.
+  for (const double last : { 60.0, 360.0 })
+  {
+    Line feature;
+    feature.closed = last == 360.0;
+    for (double angle = 0.0; angle < last; angle += 1.0)
+    {
+      feature.points.emplace_back(
+        400.0 + 246.0 * std::cos(angle * pi / 180.0), 300.0 + 246.0 * std::sin(angle * pi / 180.0));
+    }
+    System system(drawn({ circle(400, 300, 250), feature }));
+    vtkPolyData* mesh = system.mesh();
+    std::vector<double> least;
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+    {
+      mesh->GetPolys()->GetCellAtId(face, ids);
+      double angle = pi;
+      for (int k = 0; k < 3; ++k)
+      {
+        const Vector3 at(mesh->GetPoint(ids->GetId(k)));
+        const Vector3 u = Vector3(mesh->GetPoint(ids->GetId((k + 1) % 3))) - at;
+        const Vector3 v = Vector3(mesh->GetPoint(ids->GetId((k + 2) % 3))) - at;
+        angle = std::min(angle, std::atan2(u.cross(v).norm(), u.dot(v)));
+      }
+      least.push_back(angle * 180.0 / pi);
+    }
+    std::nth_element(least.begin(), least.begin() + least.size() / 2, least.end());
+    EXPECT_GE(least[least.size() / 2], 25.0) << last;
+  }
+}
+
 TEST(InflateDrawing, ARingThatRunsPastItsStartIsClosed)
 {
   Line ring = circle(400, 300, 200);

@@ -75,6 +75,7 @@ def judge(drawing_file, mesh_file, outline="", plain=False):
     inside, depth = distances(drawing)
     planar(points, triangles, front, result)
     result["dihedral"] = roughness(points, triangles, depth)
+    result["keel"] = keel(points, triangles, seam)
     height, inner = heights(points, triangles[front], drawing, ~np.isin(triangles[front], seam).any(1))
     deep, filled = inside & (depth >= DEEP), closed(height, DISC) - height
     result["pit"], result["rim pit"] = (float(filled[of].max(initial=0.0)) for of in (deep & inner, deep & ~inner))
@@ -201,6 +202,18 @@ def roughness(points, triangles, depth):
     x, y = points[ends].mean(1)[:, :2].astype(int).T
     deep = depth[np.clip(y, 0, rows - 1), np.clip(x, 0, columns - 1)] >= BODY
     return float(np.percentile(angle[deep], 95)) if deep.any() else 0.0
+
+
+def keel(points, triangles, rim):
+    """The mean angle between faces across the edges of the rim over that across the edges beside it: those of triangles at the rim that do
+    not end there."""
+    angle, ends = surface.turns(points, triangles)
+    there = np.isin(ends, rim).sum(1)
+    known = np.sort(triangles[np.isin(triangles, rim).any(1)], axis=1)
+    count = len(points)
+    beside = np.isin(ends[:, 0] * count + ends[:, 1], np.concatenate([known[:, i] * count + known[:, j] for i, j in ((0, 1), (0, 2), (1, 2))]))
+    across, along = angle[there == 2], angle[beside & (there == 0)]
+    return float(across.mean() / along.mean()) if len(across) and len(along) and along.mean() > 0 else 0.0
 
 
 def heights(points, front, drawing, inner):

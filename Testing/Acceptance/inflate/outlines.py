@@ -1,4 +1,4 @@
-"""The drawings of the acceptance run: fourteen outlines of the shared images, as a hand that wobbles draws them.
+"""The drawings of the acceptance run: fourteen outlines of the shared images and ten of our own, as a hand that wobbles draws them.
 
     outlines.py FOLDER      writes FOLDER/<outline>-<wobble>px-<seed>.vtp, all of them, and FOLDER/index.json
 
@@ -33,6 +33,22 @@ OUTLINES = {
     "angelfish": "drawing_angelfish", "elephant": "lineart_elephant", "dinosaur": "lineart_dinosaur", "camel": "silhouette_camel",
     "horse": "silhouette_horse", "kangaroo": "silhouette_kangaroo"}
 HOLED = ("crane", "kettle", "mushroom")
+# Outlines of our own, whose ridges meet: by radius over the angle, and by limbs, which lead from a place and radius to the next; how far two
+# of them run into each other. Units are px of the canvas before its longest side is made LONGEST.
+POLAR = {"trefoil": (3, 0.45), "clover": (4, 0.3), "star": (5, 0.35), "daisy": (7, 0.22)}
+LIMBS = {
+    "flamingo": (20, [[(380, 380, 150), (560, 430, 120), (700, 480, 40)], [(320, 440, 70), (190, 600, 34), (260, 760, 30), (370, 800, 44), (440, 730, 16)],
+                      [(400, 260, 40), (430, 20, 14)], [(480, 270, 36), (560, 40, 14)]]),
+    "tiger": (12, [[(500, 480, 300)], [(260, 720, 90), (210, 820, 60)], [(740, 720, 90), (790, 820, 60)], [(380, 260, 110), (360, 200, 100)],
+                   [(620, 260, 110), (640, 200, 100)]]),
+    "palm": (10, [[(480, 280, 170), (500, 420, 180)], [(340, 480, 55), (270, 800, 42)], [(450, 520, 58), (430, 900, 44)],
+                  [(560, 520, 58), (590, 880, 44)], [(650, 460, 52), (750, 740, 38)], [(340, 300, 70), (140, 470, 44)]]),
+    "bough": (8, [[(500, 20, 70), (500, 420, 60)], [(500, 400, 58), (300, 620, 46), (280, 860, 30)], [(500, 420, 58), (700, 600, 44), (820, 820, 26)],
+                  [(310, 610, 44), (120, 700, 24)], [(690, 590, 44), (620, 860, 28)]]),
+    "squid": (15, [[(500, 620, 210), (500, 760, 150)], *[[(500 + 60 * k, 520, 60), (500 + 110 * k, 300, 40), (500 + 170 * k, 80 + 15 * k * k, 26)]
+                                                       for k in (-2, -1, 0, 1, 2)]]),
+    "snowman": (6, [[(500, 250, 230)], [(500, 600, 170)], [(500, 850, 110)], [(380, 640, 50), (120, 760, 30)], [(620, 640, 50), (880, 760, 30)]])}
+OWN, OWN_WOBBLE, OWN_SEEDS = (*POLAR, *LIMBS), 1, 3
 CLOSED = {"dinosaur": 4}  # px by which gaps in the line are closed first
 CANVAS, LONGEST = 1024, 1000  # px
 WOBBLES, SEEDS = (0, 1, 2), 5
@@ -108,8 +124,34 @@ def around(loop):
     return np.linalg.norm(np.roll(loop, -1, axis=0) - loop, axis=1).sum()
 
 
+def limbs(name):
+    """The field of an outline of limbs that run into each other, above 0 on the figure; by Quilez' polynomial smooth maximum."""
+    blend, chains = LIMBS[name]
+    at, result = np.indices((CANVAS + 16, CANVAS + 16))[::-1].transpose(1, 2, 0) - 8.0, None
+    for chain in chains:
+        near = np.full(at.shape[:2], -np.inf)
+        for start, end in zip(chain, chain[1:] or chain):
+            (a, r), (b, s) = ((np.array(place[:2], float), place[2]) for place in (start, end))
+            along = np.clip((at - a) @ (b - a) / max((b - a) @ (b - a), 1e-9), 0, 1)
+            near = np.maximum(near, r + (s - r) * along - np.linalg.norm(at - a - along[..., None] * (b - a), axis=2))
+        between = 0 if result is None else np.maximum(blend - np.abs(result - near), 0) ** 2 / (4 * blend)
+        result = near if result is None else np.maximum(result, near) + between
+    return result
+
+
+def own(name):
+    """The boundary of an outline of our own."""
+    if name in LIMBS:
+        return contour(limbs(name))
+    petals, depth = POLAR[name]
+    angle = 2 * np.pi * np.arange(2000) / 2000
+    return (1 + depth * np.cos(petals * angle))[:, None] * np.column_stack([np.cos(angle), np.sin(angle)])
+
+
 def curves(name):
     """The closed curves of an outline in px of the canvas: the boundary, and of the holed ones the hole."""
+    if name in OWN:
+        return fitted([own(name)])
     ink = field(name)
     outside = pieces(ink <= 0) == pieces(ink <= 0)[0, 0]
     figure = pieces(~outside) == 1  # filled, the largest piece
@@ -117,6 +159,11 @@ def curves(name):
     if name in HOLED:
         gap = pieces(figure & (ink <= 0)) == 1
         loops.append(contour(np.where(gap, np.maximum(-ink, 0.5), np.minimum(-ink, -0.5))))
+    return fitted(loops)
+
+
+def fitted(loops):
+    """Curves in the middle of the canvas, the first one's longest side LONGEST."""
     low, high = loops[0].min(0), loops[0].max(0)
     scale = LONGEST / (high - low).max()
     return [(loop - (low + high) / 2) * scale + CANVAS / 2 for loop in loops]
@@ -188,7 +235,7 @@ def by_hand(loops, wobble, random):
 
 def drawing(name, wobble, seed):
     """One of the drawings, a polydata."""
-    random = np.random.RandomState(10000 * sorted(OUTLINES).index(name) + 100 * wobble + seed)
+    random = np.random.RandomState(10000 * [*sorted(OUTLINES), *OWN].index(name) + 100 * wobble + seed)
     samples = by_hand(curves(name), wobble, random)
     cells = {"Treatment": np.array([0, HOLE], np.int32)} if name in HOLED else {}
     return make_drawings.polydata([(line, True) for line in samples], (CANVAS, CANVAS), cells, {})
@@ -199,12 +246,13 @@ def name_of(outline, wobble, seed):
 
 
 def make_all(folder, day=None):
-    """Writes every drawing, or those of a day, and the index that the frame of the run reads; none where the images are not here."""
+    """Writes every drawing, or those of a day, and the index that the frame of the run reads; our own alone where the images are not here."""
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     index = []
-    all_of_them = [(outline, wobble, seed) for outline in OUTLINES for wobble in WOBBLES for seed in range(SEEDS)]
-    for outline, wobble, seed in frame.tenth(all_of_them, day) if IMAGES.is_dir() else ():
+    drawn = [(outline, wobble, seed) for outline in OUTLINES if IMAGES.is_dir() for wobble in WOBBLES for seed in range(SEEDS)]
+    invented = [(outline, OWN_WOBBLE, seed) for outline in OWN for seed in range(OWN_SEEDS)]
+    for outline, wobble, seed in frame.tenth(drawn, day) + frame.tenth(invented, day):
         writer = vtkXMLPolyDataWriter()
         writer.SetFileName(str(folder / (name_of(outline, wobble, seed) + ".vtp")))
         writer.SetInputData(drawing(outline, wobble, seed))
