@@ -34,27 +34,28 @@ FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool close
 // f' - div(room^2 grad f') = f at the vertices that are not held; the others keep theirs.
 void smoothField(const Mesh& patch,
   const Adjacency& adjacency,
-  const std::vector<double>& weights,
   const std::vector<double>& room,
   const std::vector<char>& held,
   std::vector<double>& field,
   const Context& context)
 {
-  // Of an edge: the mean of its triangles', which have the mean of their corners'.
-  std::vector<double> flow(weights.size(), 0.0), mass(patch.points.size(), 0.0);
+  // Linear elements, of each triangle with the mean of its corners' room.
+  std::vector<double> flow(adjacency.edges.size(), 0.0), mass(patch.points.size(), 0.0);
   for (int t = 0; t < patch.triangleCount(); ++t)
   {
     const Triangle& c = patch.triangles[t];
-    const Vector3 u = patch.points[c[1]] - patch.points[c[0]], v = patch.points[c[2]] - patch.points[c[0]];
     double square = 0.0;
     for (const int k : c)
     {
-      mass[k] += u.cross(v).norm() / 6.0;
       square += room[k] * room[k] / 3.0;
     }
-    for (const int e : adjacency.triangleEdges[t])
+    for (int k = 0; k < 3; ++k)
     {
-      flow[e] += weights[e] * square / adjacency.edges[e].triangleCount;
+      const int next = c[(k + 1) % 3], last = c[(k + 2) % 3];
+      const Vector3 u = patch.points[next] - patch.points[c[k]], v = patch.points[last] - patch.points[c[k]];
+      const double twice = u.cross(v).norm();
+      mass[c[k]] += twice / 6.0;
+      flow[adjacency.findEdge(next, last)] += twice > 0.0 ? 0.5 * square * u.dot(v) / twice : 0.0;
     }
   }
   std::vector<int> free, number(patch.points.size(), -1);
@@ -297,7 +298,6 @@ CurveFields curveFields(const Mesh& patch,
     fields.parameter.push_back(inner.place[v] / length);
   }
 
-  const std::vector<double> weights = positiveWeights(patch, adjacency);
   std::vector<char> onReference(patch.points.size(), 0);
   for (const int v : reference)
   {
@@ -313,7 +313,7 @@ CurveFields curveFields(const Mesh& patch,
       {
         room.push_back(c * w);
       }
-      smoothField(patch, adjacency, weights, room, held, field, context);
+      smoothField(patch, adjacency, room, held, field, context);
     }
   };
   smoothed(rules.smoothing, fixed, fields.share);

@@ -52,8 +52,9 @@ ChainDistances chainDistances(const Mesh& mesh,
 // Departures: distances go over the surface, since straight ones cut through thin parts. The share has
 // creases where the nearest place leaps, the parameter is torn there by as much as the whole curve; so both
 // are smoothed, the farther the more room there is: f' - div((c (d + e))^2 grad f') = f, with f' held at 0
-// and 1 on the two curves for the share, and on the reference curve alone for the parameter; weights of edges
-// as for the disc, so nothing leaves the range of what is held.
+// and 1 on the two curves for the share, and on the reference curve alone for the parameter; in linear
+// elements, and cut off at 0 and 1. The disc's positive weights of edges would keep that range too, but bend
+// f' beside long diagonals, which stands as ribs on a raised flank.
 //
 // Throws what discBorder throws, Error(Failure::BadStroke) for a reference curve of fewer than two vertices
 // or one that is not a chain of edges inside the patch, Error(Failure::SolveFailed),

@@ -65,6 +65,28 @@ TEST(B6_2, AStripFallsEvenly)
       std::to_string(worst[1] * 1e9) + "e-9, and 1 - 3 y^2 + 2 abs(y)^3; half way is grey 128");
 }
 
+TEST(CurveFields, LongDiagonalsLeaveNoRibs)
+{
+  // Rows of the strip drawn past each other, so that many an edge is not Delaunay; distances stay as they
+  // were.
+  Drawn drawn = strip(200, 20);
+  for (Vector3& p : drawn.patch.points)
+  {
+    p[0] += 0.2 * std::sin(12.0 * std::abs(p[1]));
+  }
+  FieldRules rules;
+  rules.straight = true;
+  const CurveFields fields = curveFields(drawn.patch, drawn.reference, rules, {});
+  for (int v = 0; v < drawn.patch.vertexCount(); ++v)
+  {
+    const Vector3& p = drawn.patch.points[v];
+    if (std::abs(p[0]) <= 5.0)
+    {
+      EXPECT_NEAR(fields.share[v], std::abs(p[1]), 1e-6) << p;
+    }
+  }
+}
+
 TEST(B6_4, NoEdgeAlongTheCurves)
 {
   std::string said;
