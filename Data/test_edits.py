@@ -117,7 +117,7 @@ def test_further_ones(name, tmp_path):
     given, option = operations(listing.FURTHER[name]), [KINDS[kind][0], file + KINDS[kind][1]]
     path = pathlib.Path(HERE) / "Strokes" / (edit + ".vtp")
     mesh, made, report = edited(path, given + option, tmp_path)
-    assert report["folded_edges"] == 0 and report["euler_number"] == {"before": 2, "after": 2} and report["moved_points"] > 200
+    assert report["folded_edges"] == 0 and report["moved_points"] > 200
     plain = edited(path, given, tmp_path)[1] if given else mesh
     made = vtk_to_numpy(made.GetPoints().GetData())
     locator = vtk.vtkStaticPointLocator()

@@ -6,7 +6,6 @@
 #include "vtkOversketchStellarDisplace.h"
 #endif
 #ifdef OVERSKETCH_WITH_EDIT
-#include "edit_figures.h"
 #include "vtkOversketchEdit.h"
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
@@ -88,6 +87,17 @@ void addFiguresOf(vtkOversketchAugment* augment, Json::Value& json)
   {
     json["met"][word] = jsonNumber(augment->GetFigure(name));
   }
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_EDIT
+void addFiguresOf(vtkOversketchEdit* edit, Json::Value& json)
+{
+  json["bridges"] = edit->GetBridges();
+  json["moved_points"] = edit->GetMovedPoints();
+  json["folded_edges"] = edit->GetFoldedEdges();
+  json["crossings"] = edit->GetCrossings();
+  json["share_seen"] = jsonNumber(edit->GetShareSeen());
 }
 #endif
 
@@ -268,7 +278,7 @@ void addFigures([[maybe_unused]] vtkOversketchSystem* system, [[maybe_unused]] J
 #ifdef OVERSKETCH_WITH_EDIT
   if (auto* edit = vtkOversketchEdit::SafeDownCast(system))
   {
-    addEditFigures(edit, json["edit"]);
+    addFiguresOf(edit, json["edit"]);
   }
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING

@@ -40,7 +40,8 @@ Json::Value stageTimes(vtkOversketchSystem* system);
 
 // Of one stroke: the matched section with its distance and score [px] and lengths [model length]; the
 // region's size; the handles' residuals [model length]; whether it was remeshed. Of an augmentation: pairs;
-// faces after each stage; what GetFigure tells of it. Of an edit: edit_figures.h.
+// faces after each stage; what GetFigure tells of it. Of an edit: gaps that curves were led over, points
+// moved, edges folded, pairs of triangles that newly cross and the share of the ring that was seen.
 void addFigures(vtkOversketchSystem* system, Json::Value& json);
 // Before the run: what costs time and is counted for a report alone.
 void askForFigures(vtkOversketchSystem* system);
