@@ -41,12 +41,6 @@ namespace oversketch_command
 namespace
 {
 
-// A figure that could not be had is null.
-Json::Value jsonNumber(double value)
-{
-  return std::isfinite(value) ? Json::Value(value) : Json::Value();
-}
-
 Json::Value count(vtkIdType value)
 {
   return Json::Value(static_cast<Json::Int64>(value));
@@ -85,7 +79,7 @@ void addFiguresOf(vtkOversketchAugment* augment, Json::Value& json)
          std::pair("LongestSegment", "longest_curve_segment"),
          std::pair("SmallestAngle", "smallest_angle") })
   {
-    json["met"][word] = jsonNumber(augment->GetFigure(name));
+    json["met"][word] = number(augment->GetFigure(name));
   }
 }
 #endif
@@ -97,7 +91,7 @@ void addFiguresOf(vtkOversketchEdit* edit, Json::Value& json)
   json["moved_points"] = edit->GetMovedPoints();
   json["folded_edges"] = edit->GetFoldedEdges();
   json["crossings"] = edit->GetCrossings();
-  json["share_seen"] = jsonNumber(edit->GetShareSeen());
+  json["share_seen"] = number(edit->GetShareSeen());
 }
 #endif
 
@@ -153,9 +147,9 @@ void addFiguresOf(vtkOversketchInflateDrawing* drawing, Json::Value& json)
     const std::vector<double> angles = smallestAngles(flat);
     if (!angles.empty())
     {
-      json["smallest_angle"]["least"] = jsonNumber(angles.front());
-      json["smallest_angle"]["percentile_5"] = jsonNumber(angles[angles.size() / 20]);
-      json["smallest_angle"]["median"] = jsonNumber(angles[angles.size() / 2]);
+      json["smallest_angle"]["least"] = number(angles.front());
+      json["smallest_angle"]["percentile_5"] = number(angles[angles.size() / 20]);
+      json["smallest_angle"]["median"] = number(angles[angles.size() / 2]);
     }
   }
 }
@@ -207,7 +201,7 @@ Json::Value regionOf(vtkPolyData* mesh)
   }
   json["vertices"] = count(vertices);
   json["of_vertices"] = count(region->GetNumberOfTuples());
-  json["area_share"] = jsonNumber(inside / all);
+  json["area_share"] = number(inside / all);
   return json;
 }
 
@@ -218,8 +212,8 @@ Json::Value deformationOf(vtkOversketchLaplacianDeform* step)
   {
     json["movable_vertices"] = count(step->GetMovableCount());
     json["active_handles"] = count(step->GetActiveHandleCount());
-    json["mean_handle_residual"] = jsonNumber(step->GetMeanHandleResidual());
-    json["maximum_handle_residual"] = jsonNumber(step->GetMaximumHandleResidual());
+    json["mean_handle_residual"] = number(step->GetMeanHandleResidual());
+    json["maximum_handle_residual"] = number(step->GetMaximumHandleResidual());
   }
   return json;
 }
@@ -229,26 +223,26 @@ void addFiguresOf(vtkOversketchOneStroke* stroke, Json::Value& json)
   vtkPolyData* match = stroke->GetInnerOutput("Match");
   vtkPolyData* targets = stroke->GetInnerOutput("Targets");
   json["remeshed"] = stroke->GetRemeshed();
-  json["match"]["distance_px"] = jsonNumber(fieldOf(match, "Distance"));
-  json["match"]["score_px"] = jsonNumber(fieldOf(match, "Score"));
+  json["match"]["distance_px"] = number(fieldOf(match, "Distance"));
+  json["match"]["score_px"] = number(fieldOf(match, "Score"));
   json["match"]["points"] = count(pointsOf(match));
   json["targets"]["handles"] = count(pointsOf(targets));
-  json["targets"]["section_length"] = jsonNumber(fieldOf(targets, "SectionLength"));
-  json["targets"]["target_length"] = jsonNumber(fieldOf(targets, "TargetLength"));
+  json["targets"]["section_length"] = number(fieldOf(targets, "SectionLength"));
+  json["targets"]["target_length"] = number(fieldOf(targets, "TargetLength"));
   json["region"] = regionOf(stroke->GetInnerOutput("RegionBorder"));
   Json::Value& effect = json["effect"];
-  effect["outline_px"] = jsonNumber(stroke->GetOutlineDistance());
-  effect["worst_outline_px"] = jsonNumber(stroke->GetWorstOutlineDistance());
-  effect["outline_back_px"] = jsonNumber(stroke->GetOutlineBackDistance());
+  effect["outline_px"] = number(stroke->GetOutlineDistance());
+  effect["worst_outline_px"] = number(stroke->GetWorstOutlineDistance());
+  effect["outline_back_px"] = number(stroke->GetOutlineBackDistance());
   effect["new_folds"] = stroke->GetNewFolds();
-  effect["inside_out"] = jsonNumber(stroke->GetInsideOut());
+  effect["inside_out"] = number(stroke->GetInsideOut());
   effect["new_crossings"] = stroke->GetNewCrossings();
-  effect["stretch"] = jsonNumber(stroke->GetStretch());
-  effect["roughness_before"] = jsonNumber(stroke->GetRoughnessBefore());
-  effect["roughness"] = jsonNumber(stroke->GetRoughness());
-  effect["moved_share"] = jsonNumber(stroke->GetMovedShare());
-  effect["stray_distance_px"] = jsonNumber(stroke->GetStrayDistance());
-  effect["stray_movement_px"] = jsonNumber(stroke->GetStrayMovement());
+  effect["stretch"] = number(stroke->GetStretch());
+  effect["roughness_before"] = number(stroke->GetRoughnessBefore());
+  effect["roughness"] = number(stroke->GetRoughness());
+  effect["moved_share"] = number(stroke->GetMovedShare());
+  effect["stray_distance_px"] = number(stroke->GetStrayDistance());
+  effect["stray_movement_px"] = number(stroke->GetStrayMovement());
   effect["remark"] = stroke->GetRemark();
   json["deformation"] =
     deformationOf(vtkOversketchLaplacianDeform::SafeDownCast(stroke->GetStep(stroke->GetDeformationName())));
