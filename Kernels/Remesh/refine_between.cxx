@@ -16,6 +16,7 @@ namespace
 {
 
 constexpr double longestAllowed = 4.0 / 3.0; // of what is wanted
+constexpr double atLine = 0.7;               // of the length that is wanted halfway to the ring
 constexpr double leastLength = 0.25;         // of the edge length that half of the ring asks for
 constexpr double growth = 2.0;               // of edges beyond the ring, by the way from it
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
@@ -173,8 +174,10 @@ private:
   }
   double wantedAt(const Place& place) const
   {
+    const double between =
+      place.toRing + place.toLine + (1.0 - atLine) * std::min(0.0, place.toLine - place.toRing);
     const double wanted = place.toLine <= place.way
-                            ? (place.toLine + place.toRing) / this->Edges
+                            ? between / this->Edges
                             : place.way / this->Edges + growth * place.toRing; // beyond the ring
     return std::max(wanted, this->Least);
   }
@@ -360,20 +363,39 @@ private:
   int Splits = 0;
 };
 
-// Triangles that the curves pass through, ascending.
-std::vector<int> passed(const RefineInput& input)
+// Triangles that the runs of a curve pass through, ascending.
+std::vector<int> passed(const std::vector<RunOnMesh>& runs)
 {
   std::vector<int> found;
-  for (const std::vector<RunOnMesh>* runs : { &input.line, &input.ring })
+  for (const RunOnMesh& run : runs)
   {
-    for (const RunOnMesh& run : *runs)
-    {
-      found.insert(found.end(), run.triangles.begin(), run.triangles.end());
-    }
+    found.insert(found.end(), run.triangles.begin(), run.triangles.end());
   }
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
+}
+
+// Those of the curves that are too long, where they are more than odd ones of either curve.
+std::vector<int> asked(const RefineInput& input, const Scale& scale)
+{
+  std::vector<int> asking;
+  bool isFine = true;
+  for (const std::vector<RunOnMesh>* runs : { &input.line, &input.ring })
+  {
+    const std::vector<int> along = passed(*runs);
+    const std::size_t before = asking.size();
+    for (const int t : along)
+    {
+      const Triangle& c = input.mesh.triangles[t];
+      if (scale.asks(input.mesh.points[c[0]], input.mesh.points[c[1]], input.mesh.points[c[2]]))
+      {
+        asking.push_back(t);
+      }
+    }
+    isFine = isFine && double(asking.size() - before) <= fewAsk * double(along.size());
+  }
+  return isFine ? std::vector<int>{} : asking;
 }
 
 std::vector<double> sizesOf(const RefineInput& input, const Mesh& mesh, const Scale& scale)
@@ -409,18 +431,9 @@ std::optional<Refined> refineBetween(const RefineInput& input, const Context& co
   {
     return std::nullopt;
   }
-  const std::vector<int> along = passed(input);
-  std::vector<int> asking;
-  for (const int t : along)
-  {
-    const Triangle& c = input.mesh.triangles[t];
-    if (scale.asks(input.mesh.points[c[0]], input.mesh.points[c[1]], input.mesh.points[c[2]]))
-    {
-      asking.push_back(t);
-    }
-  }
+  const std::vector<int> asking = asked(input, scale);
   context.checkpoint(0.1);
-  if (static_cast<double>(asking.size()) <= fewAsk * static_cast<double>(along.size()))
+  if (asking.empty())
   {
     return std::nullopt;
   }

@@ -36,17 +36,18 @@ struct Refined
   std::vector<double> sizes; // the edge length that is asked for at each vertex, `longest` at most
 };
 
-// Wanted at a place from line to ring is an edge of 1/edges of the way over it, its distances from both;
-// beyond the ring, which goes straight on from run to run, one that grows by twice as much as the place is
-// off. A triangle whose longest edge is over 4/3 of what is wanted somewhere in it is bisected there, after
-// those beyond that edge whose own longest edge is another one (Rivara): no angle is less than half of the
-// one that was there, and new vertices lie on the old triangles. One beyond the ring that is fine enough is
-// cut across where its neighbour is bisected, wherever it is longest, but not once it is flatter than 0.03,
-// and no edge is bisected both ends of which are over `longest` beyond it, so that nothing runs on over the
-// model. Looked at are triangles that a curve passes through, and from there on the neighbours of what was
-// bisected. A mesh that is fine enough for nine in ten of those along both curves is left as it is: nothing
-// is returned. Where line and ring all but meet, a quarter of the usual length is small enough.
-// Deterministic. Throws Error(Failure::Cancelled).
+// Wanted at a place from line to ring is an edge of 1/edges of the way over it, its distances from both; of
+// 0.7 of that at the line, where two slopes meet, rising evenly to halfway. Beyond the ring, which goes
+// straight on from run to run, one that grows by twice as much as the place is off. A triangle whose longest
+// edge is over 4/3 of what is wanted somewhere in it is bisected there, after those beyond that edge whose
+// own longest edge is another one (Rivara): no angle is less than half of the one that was there, and new
+// vertices lie on the old triangles. One beyond the ring that is fine enough is cut across where its
+// neighbour is bisected, wherever it is longest, but not once it is flatter than 0.03, and no edge is
+// bisected both ends of which are over `longest` beyond it, so that nothing runs on over the model. Looked at
+// are triangles that a curve passes through, and from there on the neighbours of what was bisected. A mesh
+// that is fine enough for nine in ten of those along either curve is left as it is: nothing is returned.
+// Where line and ring all but meet, a quarter of the usual length is small enough. Deterministic. Throws
+// Error(Failure::Cancelled).
 std::optional<Refined> refineBetween(const RefineInput& input, const Context& context);
 
 } // namespace oversketch

@@ -173,9 +173,53 @@ TEST(B11_5, ACoarseSquareGetsSixEdgesFromLineToRing)
 
 TEST(RefineBetween, AMeshThatIsFineEnoughStays)
 {
-  const Mesh mesh = square(96); // diagonals of 0.118 where 0.133 is asked for
+  const Mesh mesh = square(128); // diagonals of 0.088 where 0.093 is asked for at the line
   EXPECT_FALSE(refineBetween(inputOn(mesh), Context()));
   EXPECT_TRUE(refineBetween(inputOn(mesh, 8.0), Context()));
+}
+
+// The weight 1 - 3 s^2 + 2 s^3 is level at the line, and across edges of h its slope leaps there by 6 h, from
+// both sides together.
+TEST(RefineBetween, AtTheLineEdgesAreFinerThanHalfwayToTheRing)
+{
+  const Mesh mesh = square(96); // diagonals of 0.118 where 0.133 is asked for halfway, 0.093 at the line
+  const auto made = refineBetween(inputOn(mesh), Context());
+  ASSERT_TRUE(made);
+  for (std::size_t t = 0; t < made->mesh.triangles.size(); ++t)
+  {
+    const Triangle& c = made->mesh.triangles[t];
+    const Vector3 middle =
+      (made->mesh.points[c[0]] + made->mesh.points[c[1]] + made->mesh.points[c[2]]) / 3.0;
+    if (wayFromLine(middle) < 0.01)
+    {
+      EXPECT_LE(longestEdge(made->mesh, c), 4.0 / 3.0 * (0.7 * reach / 6.0 + 0.01));
+    }
+    else if (wayFromLine(middle) > 0.6 * reach)
+    {
+      EXPECT_EQ(c, mesh.triangles[made->triangleSources[t]]);
+    }
+  }
+}
+
+// Of all triangles along both curves those at the line are fewer than one in ten.
+TEST(RefineBetween, AShortLineThatAsksIsHeardBesideALongRing)
+{
+  const Mesh mesh = square(28); // diagonals of 0.404
+  RefineInput input = inputOn(mesh);
+  for (Vector3& p : input.line[0].points)
+  {
+    p = { 0.1 * p[0], 0.1, 0.0 };
+  }
+  input.ring[0] = {};
+  for (int i = 0; i <= 80; ++i)
+  {
+    const double angle = 2.0 * pi * i / 80.0;
+    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
+  }
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  EXPECT_LT(made->mesh.triangleCount(), mesh.triangleCount() + 400);
 }
 
 TEST(RefineBetween, SizesAreOfTheWayAndNeverAboveTheLongest)
@@ -191,7 +235,7 @@ TEST(RefineBetween, SizesAreOfTheWayAndNeverAboveTheLongest)
     EXPECT_LE(made->sizes[v], 0.5);
     if (way <= 0.95 * reach)
     {
-      EXPECT_NEAR(made->sizes[v], reach / 6.0, 0.02 * reach);
+      EXPECT_NEAR(made->sizes[v], std::min(1.0, 0.7 + 0.6 * way / reach) * reach / 6.0, 0.02 * reach);
     }
     else if (way > reach + 0.25)
     {
