@@ -29,6 +29,9 @@ struct Segment
   Vector3 from, along;
   double squaredLength;
   double way[2]; // of a ring: how far its ends are from the line
+  // The ends lie at these shares of a way from one triangle to another.
+  int triangles[2];
+  double shares[2];
 
   double nearest(const Vector3& p) const
   {
@@ -45,9 +48,14 @@ std::vector<Segment> segmentsOf(const std::vector<RunOnMesh>& runs)
   {
     for (std::size_t i = 0; i + 1 < std::max<std::size_t>(run.points.size(), 2) && !run.points.empty(); ++i)
     {
-      const Vector3& next = run.points[std::min(i + 1, run.points.size() - 1)];
-      const Vector3 along = next - run.points[i];
-      segments.push_back({ run.points[i], along, along.squaredNorm(), { 0.0, 0.0 } });
+      const std::size_t next = std::min(i + 1, run.points.size() - 1);
+      const Vector3 along = run.points[next] - run.points[i];
+      segments.push_back({ run.points[i],
+        along,
+        along.squaredNorm(),
+        { 0.0, 0.0 },
+        { run.triangles[i], run.triangles[next] },
+        { 0.0, 1.0 } });
     }
   }
   return segments;
@@ -70,6 +78,19 @@ std::tuple<double, std::size_t, double> nearestOf(const std::vector<Segment>& se
     }
   }
   return { std::sqrt(least), number, at };
+}
+
+// Triangles that the runs of a curve pass through, ascending.
+std::vector<int> passed(const std::vector<RunOnMesh>& runs)
+{
+  std::vector<int> found;
+  for (const RunOnMesh& run : runs)
+  {
+    found.insert(found.end(), run.triangles.begin(), run.triangles.end());
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 
 // The edge length that is wanted at each place.
@@ -120,18 +141,31 @@ public:
 
   double at(const Vector3& p) const { return this->wantedAt(this->look(p)); }
 
-  // So far off the ring.
-  bool isBeyond(const Vector3& p, double reach = 0.0) const
+  // Whether a place is so far off the ring; the other side of a thin part, which is near in space, over the
+  // surface alone, where ways over edges may be as much too long as an edge is.
+  bool isBeyond(const Vector3& p, double overSurface, double reach) const
   {
     const Place place = this->look(p);
-    return place.toRing > reach && place.toLine > place.way;
+    const double off = overSurface - this->overSurface(place) - this->Reach;
+    return (place.toLine > place.way && place.toRing > reach) ||
+           (off > 0.0 && std::max(off, place.toRing) > reach);
   }
 
-  // Whether an edge lies off the ring with both ends, so that what is bisected there would be seen far from
-  // it.
-  bool isFar(const Vector3& a, const Vector3& b) const
+  // By how much an edge has to be off the ring, with both ends, for what is bisected there to be seen far
+  // from it.
+  double reach() const { return this->Reach; }
+
+  // Ways from the line to each vertex, over edges.
+  const std::vector<double>& measure(const RefineInput& input)
   {
-    return this->isBeyond(a, this->Reach) && this->isBeyond(b, this->Reach);
+    std::vector<int> sources;
+    for (const int t : passed(input.line))
+    {
+      sources.insert(sources.end(), input.mesh.triangles[t].begin(), input.mesh.triangles[t].end());
+    }
+    this->OverSurface = edgeDistances(input.mesh, buildAdjacency(input.mesh), sources);
+    this->Triangles = &input.mesh.triangles;
+    return this->OverSurface;
   }
 
   // Whether a triangle's longest edge is too long for some place of it.
@@ -154,6 +188,8 @@ private:
   struct Place
   {
     double toLine, toRing, way; // the last: from the line to the place of the ring that is nearest
+    const Segment* beside;      // where that place is, and the share of it
+    double share;
   };
   Place look(const Vector3& p) const
   {
@@ -162,7 +198,7 @@ private:
     {
       const auto [away, number, share] = nearestOf(segments, p);
       const Segment& beside = segments[number];
-      return { toLine, away, (1.0 - share) * beside.way[0] + share * beside.way[1] };
+      return { toLine, away, (1.0 - share) * beside.way[0] + share * beside.way[1], &beside, share };
     };
     const Place place = placeBy(this->Ring);
     if (this->Gaps.empty() || toLine > place.way)
@@ -182,6 +218,19 @@ private:
     return std::max(wanted, this->Least);
   }
 
+  // From the line to the place of the ring that is nearest.
+  double overSurface(const Place& place) const
+  {
+    const auto of = [&](int t)
+    {
+      const Triangle& c = (*this->Triangles)[t];
+      return (this->OverSurface[c[0]] + this->OverSurface[c[1]] + this->OverSurface[c[2]]) / 3.0;
+    };
+    const Segment& s = *place.beside;
+    const double share = (1.0 - place.share) * s.shares[0] + place.share * s.shares[1];
+    return (1.0 - share) * of(s.triangles[0]) + share * of(s.triangles[1]);
+  }
+
   // Straight on from run to run: what lies beyond where the ring is hidden is beyond it, too.
   void addGaps(const std::vector<RunOnMesh>& runs)
   {
@@ -197,21 +246,30 @@ private:
       const auto wayAt = [&](int k) { return std::get<0>(nearestOf(this->Line, from + k * step)); };
       for (int k = 0; k < piecesOfGap && step.squaredNorm() > 0.0; ++k)
       {
-        this->Gaps.push_back({ from + k * step, step, step.squaredNorm(), { wayAt(k), wayAt(k + 1) } });
+        this->Gaps.push_back({ from + k * step,
+          step,
+          step.squaredNorm(),
+          { wayAt(k), wayAt(k + 1) },
+          { runs[i].triangles.back(), next.triangles.front() },
+          { double(k) / piecesOfGap, double(k + 1) / piecesOfGap } });
       }
     }
   }
 
   std::vector<Segment> Line, Ring, Gaps;
   double Edges, Reach, Least = 0.0;
+  std::vector<double> OverSurface;
+  const std::vector<Triangle>* Triangles = nullptr;
 };
 
 class Bisection
 {
 public:
-  Bisection(CurveMesh& mesh, const Scale& scale)
+  // Ways from the line to each vertex, over edges.
+  Bisection(CurveMesh& mesh, const Scale& scale, std::vector<double> ways)
     : Mesh(mesh)
     , Wanted(scale)
+    , Ways(std::move(ways))
   {
   }
 
@@ -289,7 +347,9 @@ private:
 
   bool isFar(const Edge& edge) const
   {
-    return this->Wanted.isFar(this->Mesh.point(edge.a), this->Mesh.point(edge.b));
+    const auto isBeyond = [&](int v)
+    { return this->Wanted.isBeyond(this->Mesh.point(v), this->Ways[v], this->Wanted.reach()); };
+    return isBeyond(edge.a) && isBeyond(edge.b);
   }
 
   // Off the ring one that is fine enough is cut across where its neighbour needs it, not where it is longest:
@@ -300,7 +360,9 @@ private:
     return this->isFar(this->longestOf(t)) ||
            (!this->asks(t) &&
              this->Wanted.isBeyond(
-               (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0));
+               (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0,
+               (this->Ways[c[0]] + this->Ways[c[1]] + this->Ways[c[2]]) / 3.0,
+               0.0));
   }
 
   // Cut across an edge that is not its longest, a triangle loses half of its height and keeps that one: if
@@ -341,6 +403,7 @@ private:
   void split(const Edge& edge)
   {
     const int middle = this->Mesh.splitEdge(edge.a, edge.b, 0.5);
+    this->Ways.push_back(0.5 * (this->Ways[edge.a] + this->Ways[edge.b]));
     ++this->Splits;
     const std::vector<int> around = this->Mesh.around(middle);
     for (const int t : around)
@@ -358,23 +421,11 @@ private:
 
   CurveMesh& Mesh;
   const Scale& Wanted;
+  std::vector<double> Ways;
   std::vector<int> Waiting;
   std::vector<char> IsWaiting; // per triangle
   int Splits = 0;
 };
-
-// Triangles that the runs of a curve pass through, ascending.
-std::vector<int> passed(const std::vector<RunOnMesh>& runs)
-{
-  std::vector<int> found;
-  for (const RunOnMesh& run : runs)
-  {
-    found.insert(found.end(), run.triangles.begin(), run.triangles.end());
-  }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
-}
 
 // Those of the curves that are too long, where they are more than odd ones of either curve.
 std::vector<int> asked(const RefineInput& input, const Scale& scale)
@@ -426,7 +477,7 @@ std::vector<double> sizesOf(const RefineInput& input, const Mesh& mesh, const Sc
 
 std::optional<Refined> refineBetween(const RefineInput& input, const Context& context)
 {
-  const Scale scale(input);
+  Scale scale(input);
   if (!scale.isKnown())
   {
     return std::nullopt;
@@ -442,7 +493,7 @@ std::optional<Refined> refineBetween(const RefineInput& input, const Context& co
     return std::nullopt;
   }
   CurveMesh work(input.mesh);
-  Bisection(work, scale).run(asking, context);
+  Bisection(work, scale, scale.measure(input)).run(asking, context);
   InsertedCurves made = resultOf(work, 0);
   Refined result;
   result.sizes = sizesOf(input, made.mesh, scale);

@@ -327,3 +327,27 @@ TEST(RefineBetween, BeyondAGapOfTheRingIsBeyondTheRing)
   }
   EXPECT_GT(beyond, 2);
 }
+
+// A sheet that is folded just beyond the ring: its lower half is nearer to the line than the ring is, in
+// space, but not over the surface.
+TEST(RefineBetween, TheOtherSideOfAThinPartIsBeyondTheRing)
+{
+  Mesh mesh = square(40);
+  const std::vector<Vector3> flat = mesh.points;
+  for (Vector3& p : mesh.points)
+  {
+    p = p[0] > 1.7 ? Vector3(3.4 - p[0], p[1], -0.2) : p;
+  }
+  RefineInput input = inputOn(mesh);
+  input.longest = 0.25;
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  for (std::size_t t = 0; t < made->mesh.triangles.size(); ++t)
+  {
+    const Triangle& whole = mesh.triangles[made->triangleSources[t]];
+    if (std::all_of(whole.begin(), whole.end(), [&](int v) { return flat[v][0] > 2.3; }))
+    {
+      EXPECT_EQ(made->mesh.triangles[t], whole);
+    }
+  }
+}
