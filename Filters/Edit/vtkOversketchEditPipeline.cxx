@@ -122,8 +122,10 @@ void vtkOversketchEdit::Pipeline::SetAmendments(bool on)
   {
     step->SetFitSpace(on ? vtkOversketchNurbsFit::Picture : vtkOversketchNurbsFit::World);
   }
-  // Control points cut a ring's corners by some px; a line they keep smooth, whose frames turn with it.
+  // Control points cut a ring's corners by some px; a line they keep smooth, whose frames turn with it, and
+  // these are near enough to each other for its bends.
   this->Boundary.Fit->SetInterpolate(on);
+  this->Reference.Fit->SetSpacing(on ? 7.0 : 10.0);
   this->Refine->SetEdges(on ? 7.0 : 0.0); // six at least
   this->Boundary.Fit->SetPeriodic(on);
   this->Boundary.Fit->SetCutLoops(on);
