@@ -170,10 +170,10 @@ TEST(B13_2, RunsWhatDependsAndNothingElse)
   EXPECT_EQ(count.Ran().count("Deform"), 0u);
   s.filter->SetRule(vtkOversketchEdit::Edit);
   // A ring drawn anew leaves the line's part alone, where the mesh is fine enough for both.
-  EditSystem fine(toPolyData(icosphere(6)));
+  EditSystem fine(toPolyData(icosphere(6)), lineOver(), ringOver(85.0));
   fine.run();
   Executions again(fine.filter);
-  fine.filter->SetBoundaryData(toStroke(ringOver(60.0), fine.view));
+  fine.filter->SetBoundaryData(toStroke(ringOver(90.0), fine.view));
   fine.run();
   const Steps ring = again.Ran();
   EXPECT_EQ(ring.count("ReferenceProject") + ring.count("ReferenceInsert"), 0u);

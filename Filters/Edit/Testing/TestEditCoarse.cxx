@@ -219,6 +219,19 @@ TEST(EditCoarse, AFineModelKeepsItsTrianglesAndSoItDoesAsPublished)
     coarse.mesh->GetNumberOfPoints() + 50);
 }
 
+TEST(EditCoarse, TheLineKeepsToTheBendsOfItsStroke)
+{
+  std::vector<Vector2> stroke; // bends of a radius of 13 px
+  for (int i = 0; i <= 120; ++i)
+  {
+    stroke.emplace_back(340.0 + i, 300.0 + 12.0 * std::sin(2.0 * pi * i / 80.0));
+  }
+  EditSystem s(ball(4), stroke, ringOver(90.0));
+  s.run();
+  vtkPolyData* line = outputOf(s.filter, "BoundaryInsert", 2);
+  EXPECT_LT(offSpline(s.view, line, s.reference), 0.6);
+}
+
 TEST(EditCoarse, AnEditThatMovesNothingPutsOutItsInput)
 {
   EditSystem s(ball(2), lineOver(60.0), ringOver(45.0));
