@@ -22,6 +22,7 @@ constexpr double growth = 2.0;               // of edges beyond the ring, by the
 constexpr double fewAsk = 0.1;               // of the triangles along the curves: odd ones of a fine mesh
 constexpr double meeting = 1.0; // of the least length that is asked for: a ring so near to the line meets it
 constexpr int piecesOfGap = 8;  // along each of which the way to the line changes evenly
+constexpr double detour = 1.4;  // of the way from line to ring, that a place between the two may be off it
 constexpr double leastHeight = 0.03; // of a triangle over its longest edge, and of that, to be cut across
 
 struct Segment
@@ -141,19 +142,23 @@ public:
 
   double at(const Vector3& p) const { return this->wantedAt(this->look(p)); }
 
-  // Whether a place is so far off the ring; the other side of a thin part, which is near in space, over the
-  // surface alone, where ways over edges may be as much too long as an edge is.
-  bool isBeyond(const Vector3& p, double overSurface, double reach) const
+  // The other side of a thin part, which is near in space, is beyond the ring over the surface alone.
+  bool isBeyond(const Vector3& p, double overSurface) const
   {
     const Place place = this->look(p);
-    const double off = overSurface - this->overSurface(place) - this->Reach;
-    return (place.toLine > place.way && place.toRing > reach) ||
-           (off > 0.0 && std::max(off, place.toRing) > reach);
+    return place.toLine > place.way || this->offBy(place, overSurface) > 0.0;
   }
 
-  // By how much an edge has to be off the ring, with both ends, for what is bisected there to be seen far
-  // from it.
-  double reach() const { return this->Reach; }
+  // Whether what is bisected there would be seen far from the ring. Over a way much longer than from line to
+  // ring no place lies between the two.
+  bool isFar(const Vector3& p, double overSurface) const
+  {
+    const Place place = this->look(p);
+    const double off = this->offBy(place, overSurface);
+    return (std::max(place.toLine, (place.toLine + place.toRing) / detour) > place.way &&
+             place.toRing > this->Reach) ||
+           (off > 0.0 && std::max(off, place.toRing) > this->Reach);
+  }
 
   // Ways from the line to each vertex, over edges.
   const std::vector<double>& measure(const RefineInput& input)
@@ -218,8 +223,9 @@ private:
     return std::max(wanted, this->Least);
   }
 
-  // From the line to the place of the ring that is nearest.
-  double overSurface(const Place& place) const
+  // How much farther than the place of the ring that is nearest a place is over the surface, where ways over
+  // edges may be as much too long as an edge is.
+  double offBy(const Place& place, double overSurface) const
   {
     const auto of = [&](int t)
     {
@@ -228,7 +234,7 @@ private:
     };
     const Segment& s = *place.beside;
     const double share = (1.0 - place.share) * s.shares[0] + place.share * s.shares[1];
-    return (1.0 - share) * of(s.triangles[0]) + share * of(s.triangles[1]);
+    return overSurface - (1.0 - share) * of(s.triangles[0]) - share * of(s.triangles[1]) - this->Reach;
   }
 
   // Straight on from run to run: what lies beyond where the ring is hidden is beyond it, too.
@@ -347,9 +353,8 @@ private:
 
   bool isFar(const Edge& edge) const
   {
-    const auto isBeyond = [&](int v)
-    { return this->Wanted.isBeyond(this->Mesh.point(v), this->Ways[v], this->Wanted.reach()); };
-    return isBeyond(edge.a) && isBeyond(edge.b);
+    const auto isFar = [&](int v) { return this->Wanted.isFar(this->Mesh.point(v), this->Ways[v]); };
+    return isFar(edge.a) && isFar(edge.b);
   }
 
   // Off the ring one that is fine enough is cut across where its neighbour needs it, not where it is longest:
@@ -361,8 +366,7 @@ private:
            (!this->asks(t) &&
              this->Wanted.isBeyond(
                (this->Mesh.point(c[0]) + this->Mesh.point(c[1]) + this->Mesh.point(c[2])) / 3.0,
-               (this->Ways[c[0]] + this->Ways[c[1]] + this->Ways[c[2]]) / 3.0,
-               0.0));
+               (this->Ways[c[0]] + this->Ways[c[1]] + this->Ways[c[2]]) / 3.0));
   }
 
   // Cut across an edge that is not its longest, a triangle loses half of its height and keeps that one: if

@@ -43,11 +43,11 @@ struct Refined
 // own longest edge is another one (Rivara): no angle is less than half of the one that was there, and new
 // vertices lie on the old triangles. One beyond the ring that is fine enough is cut across where its
 // neighbour is bisected, wherever it is longest, but not once it is flatter than 0.03, and no edge is
-// bisected both ends of which are over `longest` beyond it, so that nothing runs on over the model. Looked at
-// are triangles that a curve passes through, and from there on the neighbours of what was bisected. A mesh
-// that is fine enough for nine in ten of those along either curve is left as it is: nothing is returned.
-// Where line and ring all but meet, a quarter of the usual length is small enough. Deterministic. Throws
-// Error(Failure::Cancelled).
+// bisected both ends of which are over `longest` beyond it, or off the way from line to ring, so that nothing
+// runs on over the model. Looked at are triangles that a curve passes through, and from there on the
+// neighbours of what was bisected. A mesh that is fine enough for nine in ten of those along either curve is
+// left as it is: nothing is returned. Where line and ring all but meet, a quarter of the usual length is
+// small enough. Deterministic. Throws Error(Failure::Cancelled).
 std::optional<Refined> refineBetween(const RefineInput& input, const Context& context);
 
 } // namespace oversketch

@@ -351,3 +351,38 @@ TEST(RefineBetween, TheOtherSideOfAThinPartIsBeyondTheRing)
     }
   }
 }
+
+// A sheet that is bent down beside the line: its wall is nearer to the line than the ring is, but a way over
+// it to the ring is much longer than from line to ring.
+TEST(RefineBetween, WhatLiesOffTheWayFromLineToRingStays)
+{
+  Mesh mesh = square(6);
+  const std::vector<Vector3> flat = mesh.points;
+  for (Vector3& p : mesh.points)
+  {
+    p = p[1] > 0.3 ? Vector3(p[0], 0.3, 0.3 - p[1]) : p;
+  }
+  RefineInput input = inputOn(mesh);
+  input.longest = 0.5;
+  for (Vector3& p : input.line[0].points)
+  {
+    p *= 0.1;
+  }
+  input.ring[0] = {};
+  for (int i = 0; i <= 80; ++i)
+  {
+    const double angle = 2.0 * pi * i / 80.0;
+    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
+  }
+  const auto made = refineBetween(input, Context());
+  ASSERT_TRUE(made);
+  for (std::size_t t = 0; t < made->mesh.triangles.size(); ++t)
+  {
+    const Triangle& whole = mesh.triangles[made->triangleSources[t]];
+    if (std::all_of(whole.begin(), whole.end(), [&](int v) { return flat[v][1] > 1.3; }))
+    {
+      EXPECT_EQ(made->mesh.triangles[t], whole);
+    }
+  }
+}
