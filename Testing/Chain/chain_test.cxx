@@ -4,6 +4,7 @@
 #include "Chain/drawn_chain.h"
 #include "Harness/bits.h"
 #include "Harness/executions.h"
+#include "Harness/sequences.h"
 #include "Hostile/sound.h"
 
 #include "mesh_file.h"
@@ -325,13 +326,6 @@ INSTANTIATE_TEST_SUITE_P(Drawings,
 namespace
 {
 
-// Whether a row of many is run: all in the full run, for each commit a sixth of them, another one each day.
-bool isRunToday(int row)
-{
-  const char* const seed = std::getenv("OVERSKETCH_SEED");
-  return !seed || std::getenv("OVERSKETCH_FULL") || (row + std::atoi(seed)) % 6 == 0;
-}
-
 } // namespace
 
 // Every step takes what every other makes, by files: whatever options change the kind of what it makes, each
@@ -385,7 +379,7 @@ TEST(ChainPairs, EveryStepTakesWhatEveryOtherMakes)
   {
     for (const std::string& each : options)
     {
-      if (!isRunToday(rows++))
+      if (!isOfTheDay(rows++, 6))
       {
         continue;
       }

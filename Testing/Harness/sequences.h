@@ -35,6 +35,14 @@ inline unsigned firstOfTheDay(unsigned usual, unsigned all)
   return seed ? static_cast<unsigned>(std::strtoul(seed, nullptr, 10)) % (all / usual) * usual : 0;
 }
 
+// Whether one of many is the day's, one in so many of them; each is in a full run, OVERSKETCH_FULL, and
+// without a seed.
+inline bool isOfTheDay(std::size_t which, std::size_t oneIn)
+{
+  const char* seed = std::getenv("OVERSKETCH_SEED");
+  return !seed || std::getenv("OVERSKETCH_FULL") || (which + std::strtoul(seed, nullptr, 10)) % oneIn == 0;
+}
+
 // OVERSKETCH_SEQUENCES asks for another number of them than that of the usual run, OVERSKETCH_FIRST_SEQUENCE
 // for others than the first, so that many can be shared out and one be seen again.
 inline Sequences sequencesAsked(unsigned usual)

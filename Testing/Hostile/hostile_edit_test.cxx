@@ -129,6 +129,10 @@ TEST(HostileEditRings, RoundHandlesAndHolesGiveASoundMeshOrOneMessage)
     shift.topRightCorner<3, 1>() = -Vector3(polyData->GetCenter());
     for (int side = 0; side < 6; ++side)
     {
+      if (!isOfTheDay(side, 2))
+      {
+        continue;
+      }
       Vector3 from = 0.1 * Vector3::Ones();
       from[side % 3] = side < 3 ? 1.0 : -1.0;
       const View at =

@@ -3,6 +3,7 @@
 #define oversketch_testing_hostile_hostile_meshes_h
 
 #include "Harness/polydata.h"
+#include "Harness/sequences.h"
 
 #include "mesh_file.h"
 
@@ -28,7 +29,7 @@ inline std::filesystem::path meshFolder()
 }
 
 // The files' names; one that is empty where the folder is absent. With a seed of the day, OVERSKETCH_SEED, a
-// quarter of them, another one each day; all in the full run, OVERSKETCH_FULL.
+// eighth of them, another one each day; all in the full run, OVERSKETCH_FULL.
 inline std::vector<std::string> meshNames()
 {
   std::vector<std::string> names;
@@ -41,17 +42,15 @@ inline std::vector<std::string> meshNames()
     }
   }
   std::sort(names.begin(), names.end());
-  const char* seed = std::getenv("OVERSKETCH_SEED");
-  if (seed && !std::getenv("OVERSKETCH_FULL"))
+  std::vector<std::string> today;
+  for (std::size_t i = 0; i < names.size(); ++i)
   {
-    std::vector<std::string> today;
-    for (std::size_t i = std::strtoul(seed, nullptr, 10) % 4; i < names.size(); i += 4)
+    if (isOfTheDay(i, 8))
     {
       today.push_back(names[i]);
     }
-    names = today;
   }
-  return names.empty() ? std::vector<std::string>{ "" } : names;
+  return today.empty() ? std::vector<std::string>{ "" } : today;
 }
 
 // The file's name as a test may be called.

@@ -373,15 +373,14 @@ bool isFinite(vtkPolyData* mesh)
 TEST(RandomChains, MeshesStaySoundAndSavedSessionsMakeTheSameBits)
 {
   oversketch_files::catchMessages();
-  const int first =
-              asked("OVERSKETCH_FIRST_CHAIN", static_cast<int>(oversketch_test::firstOfTheDay(12, 300))),
+  const int first = asked("OVERSKETCH_FIRST_CHAIN", static_cast<int>(oversketch_test::firstOfTheDay(6, 300))),
             count = asked("OVERSKETCH_CHAINS", 0);
   std::vector<int> chains{ 47, 89, 185, 188 }; // had triangles without area
   if (count > 0)
   {
     chains.clear();
   }
-  for (int i = 0; i < (count > 0 ? count : 12); ++i)
+  for (int i = 0; i < (count > 0 ? count : 6); ++i)
   {
     chains.push_back(first + i);
   }

@@ -214,10 +214,10 @@ def _make(job):
 
 
 def of_the_day(day):
-    """Entries that are a tenth of all: two cameras of one hand over each model; none, for all, where no day is given."""
+    """Entries that are a twentieth of all: a camera of one hand over each model; none, for all, where no day is given."""
     if day is None:
         return ()
-    return [f"{name}-h{day % HANDS}-c{(day + other) % CAMERAS + 1}" for name, _, _ in models() for other in (0, CAMERAS // 2)]
+    return [f"{name}-h{day % HANDS}-c{day // HANDS % CAMERAS + 1}" for name, _, _ in models()]
 
 
 def make_all(folder, only=(), workers=2):
