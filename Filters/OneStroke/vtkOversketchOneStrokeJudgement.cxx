@@ -204,3 +204,13 @@ StrokeEffect vtkOversketchOneStroke::Pipeline::EffectOf(const char* before, cons
     ThreadsOnly());
   return effect;
 }
+
+double vtkOversketchOneStroke::Pipeline::Missed(const StrokeEffect& effect)
+{
+  // Of a stroke that was closed the match makes another one.
+  if (this->Match->GetOutput(1)->GetPoints() == this->Self->StageOutput("Stroke")->GetPoints())
+  {
+    return effect.outline.worst;
+  }
+  return missedBeside(this->OutlineOf(this->Self->Remeshed ? "Restore" : this->Deformation));
+}

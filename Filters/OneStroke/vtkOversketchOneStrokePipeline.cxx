@@ -365,7 +365,9 @@ void vtkOversketchOneStroke::Pipeline::Judge(const StrokeEffect& effect)
         "AllowTorn on.");
   }
   this->Effect = effect;
-  std::vector<std::string> said = remarks(effect);
+  StrokeEffect told = effect;
+  told.missed = this->Missed(effect);
+  std::vector<std::string> said = remarks(told);
   if (!torn.empty() && std::find(said.begin(), said.end(), torn) == said.end())
   {
     said.insert(said.begin(), torn);

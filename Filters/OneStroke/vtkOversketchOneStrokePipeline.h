@@ -81,6 +81,7 @@ struct vtkOversketchOneStroke::Pipeline
   void RunBest();
   // Says what the run has done; throws Torn where that is refused.
   void Judge(const oversketch::StrokeEffect& effect);
+  double Missed(const oversketch::StrokeEffect& effect);
 
   // The mesh that a step of this run made, held until the run ends, so that it is converted and judged once.
   struct MadeMesh

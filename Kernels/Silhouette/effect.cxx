@@ -281,6 +281,7 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   constexpr double near = 3.0;      // px in the mean: as near as a result has to come to the stroke's middle
   constexpr double large = 0.45;    // of the surface
   constexpr double far = 8.0;       // px at worst
+  constexpr double hand = 2.5;      // px at worst: what is missed by more is seen
   constexpr double leftOver = 10.0; // px of outline beside the stroke that the stroke itself does not meet
   std::vector<std::string> said;
   if (!std::isfinite(effect.outline.mean))
@@ -303,6 +304,10 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   else if (effect.outlineBack > leftOver)
   {
     said.push_back("between the stroke's ends the outline runs " + pixels(effect.outlineBack) + " beside it");
+  }
+  else if (effect.missed > hand)
+  {
+    said.push_back("the outline misses the stroke by " + pixels(effect.missed) + " at worst");
   }
   if (effect.back > Judgement::tolerableBack)
   {

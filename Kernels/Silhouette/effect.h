@@ -15,9 +15,12 @@ struct StrokeEffect
 {
   OutlineError outline;     // from the stroke's middle 60 % to the outline
   double outlineBack = 0.0; // px, see below
-  int folds = 0;            // folded edges that the mesh before did not have
-  double back = 0.0;        // share of what is seen of the mesh that shows its back, and did not before
-  int crossings = 0;        // pairs of triangles that pass through each other, less those of the mesh before
+  // px at worst to the outline: of a stroke that was closed from all of it beside the model, as it has no
+  // ends that lead there and away; only to be said, 0 where that is not asked
+  double missed = 0.0;
+  int folds = 0;     // folded edges that the mesh before did not have
+  double back = 0.0; // share of what is seen of the mesh that shows its back, and did not before
+  int crossings = 0; // pairs of triangles that pass through each other, less those of the mesh before
   Roughness before, after;
   double stretch = 1.0;    // 99 of 100 edges of what moved are stretched or squeezed by no more
   bool remeshed = false;   // what is stretched was made even again

@@ -257,6 +257,10 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
   effect.back = 0.002;
   effect.crossings = 10;
   EXPECT_TRUE(remarks(effect).empty());
+  effect.missed = 2.4;
+  EXPECT_TRUE(remarks(effect).empty());
+  effect.missed = 5.2;
+  EXPECT_EQ(remarks(effect), (std::vector<std::string>{ "the outline misses the stroke by 5 px at worst" }));
   effect = StrokeEffect();
   effect.outlineBack = 33.0;
   EXPECT_EQ(remarks(effect),

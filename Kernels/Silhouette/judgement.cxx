@@ -234,6 +234,46 @@ OutlineError outlineError(const StrokeOutline& outline, const std::vector<Outlin
   return error.worst <= StrokeOutline::margin ? error : measure(outline.whole());
 }
 
+double missedBeside(const StrokeOutline& outline)
+{
+  const std::vector<OutlineLoop> loops = outline.whole();
+  std::vector<NearestPlace> places;
+  places.reserve(loops.size());
+  for (const OutlineLoop& loop : loops)
+  {
+    places.emplace_back(loop.points, loop.closed);
+  }
+  // A line to the right crosses the loops an odd number of times.
+  const auto isCovered = [&](const Vector2& p)
+  {
+    bool covered = false;
+    for (const OutlineLoop& loop : loops)
+    {
+      for (std::size_t i = 0; i < loop.points.size(); ++i)
+      {
+        const Vector2 &a = loop.points[i], &b = loop.points[(i + 1) % loop.points.size()];
+        covered ^=
+          (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
+      }
+    }
+    return covered;
+  };
+  double worst = 0.0;
+  for (const Vector2& p : outline.stroke())
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const NearestPlace& place : places)
+    {
+      nearest = std::min(nearest, place(p, nearest).distance);
+    }
+    if (nearest > worst && !isCovered(p))
+    {
+      worst = nearest;
+    }
+  }
+  return worst;
+}
+
 bool Judgement::keptAgainst(const Judgement& plain) const
 {
   constexpr double step = 0.5; // px

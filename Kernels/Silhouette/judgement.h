@@ -47,6 +47,8 @@ struct OutlineError
 };
 // `further` lines in the picture count like loops of the outline.
 OutlineError outlineError(const StrokeOutline& outline, const std::vector<OutlineLoop>& further = {});
+// Of all places of the stroke that lie beside the model the largest distance to its outline [px].
+double missedBeside(const StrokeOutline& outline);
 
 // The silhouette of the region (one byte per vertex) in the picture, hidden or not: what a stroke over a
 // silhouette inside the outline is judged by. In pieces, where a curve leaves the region or passes behind the

@@ -220,6 +220,16 @@ TEST(Judgement, TheOutlineOfADiskIsAsFarAsItsCircle)
   }
 }
 
+TEST(Judgement, WhatIsMissedBesideTheDiskIsWhatLiesOutside)
+{
+  const Mesh mesh = disk();
+  for (const double distance : { -30.0, -7.0, 7.0, 80.0 })
+  {
+    const double missed = missedBeside({ mesh, view, halfCircle(radius + distance, Vector2::Zero()) });
+    EXPECT_NEAR(missed, std::max(distance, 0.0), 0.02) << distance;
+  }
+}
+
 TEST(Judgement, AShiftedCircleIsMeasuredOverItsMiddle)
 {
   const Mesh mesh = disk();

@@ -1,4 +1,5 @@
 // What the one-stroke system says of its results, what it refuses, and what Candidate and Reach change.
+#include "Harness/edits.h"
 #include "Harness/shipped.h"
 
 #include "Mesh/context.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -196,6 +198,36 @@ TEST(OneStrokeEffect, AStrokeClosedRoundALimbIsAsGoodAsTheOpenOne)
   closed.run();
   EXPECT_TRUE(closed.failedBy(Failure::BadStroke));
   EXPECT_NE(closed.ear.errors[0].find("it is closed"), std::string::npos);
+}
+
+// The tail becomes a fat one, and ends before the loop's right part.
+TEST(OneStrokeEffect, OfALoopItIsSaidByHowMuchItIsMissed)
+{
+  const vtkSmartPointer<vtkPolyData> dog = shippedModel("dog");
+  const View view = frontOf(dog);
+  Vector2 tip(0.0, -HUGE_VAL);
+  for (vtkIdType i = 0; i < dog->GetNumberOfPoints(); ++i)
+  {
+    const Vector2 p = view.toDisplay(Vector3(dog->GetPoint(i))).head<2>();
+    tip = p[1] > tip[1] ? p : tip;
+  }
+  std::vector<Vector2> samples;
+  for (int i = 0; i <= 100; ++i)
+  {
+    const double angle = 0.0628 * i;
+    samples.push_back(tip + Vector2(120.0 * std::sin(angle), -90.0 * (1.0 - std::cos(angle))));
+  }
+  Drawn loop(toStroke(samples, view));
+  loop.run();
+  ASSERT_EQ(loop.filter->GetErrorCode(), 0u);
+  EXPECT_LT(loop.filter->GetOutlineDistance(), 1.0);
+  double missed = 0.0;
+  ASSERT_EQ(std::sscanf(loop.filter->GetRemark(),
+              "The result is not as drawn: the outline misses the stroke by %lf px at worst",
+              &missed),
+    1)
+    << loop.filter->GetRemark();
+  EXPECT_GT(missed, 10.0);
 }
 
 TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
