@@ -70,7 +70,7 @@ def edited(path, given, folder):
 def test_result(path, tmp_path):
     mesh, result, report = edited(path, options(path.stem), tmp_path)
     assert report["folded_edges"] == 0 and report["moved_points"] > 200
-    assert mesh.GetNumberOfCells() < result.GetNumberOfCells() < 1.2 * mesh.GetNumberOfCells()
+    assert mesh.GetNumberOfCells() < result.GetNumberOfCells() < 1.25 * mesh.GetNumberOfCells()
     edges = vtk.vtkFeatureEdges()
     edges.SetInputData(result)
     edges.FeatureEdgesOff()

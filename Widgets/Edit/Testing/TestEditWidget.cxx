@@ -68,6 +68,8 @@ TEST(EditWidget, WhileAHandleIsDraggedTheRegionFollowsAndTrianglesComeWithTheRel
 TEST(EditWidget, TheLineIsInTheMeshBeforeTheRingIsReleased)
 {
   EditScene scene;
+  scene.widget->SetInputData(toPolyData(icosphere(6))); // fine enough for both
+  scene.window->Render();
   Counter lines = runsOf(scene, "ReferenceInsert"), rings = runsOf(scene, "BoundaryInsert"),
           regions = runsOf(scene, "Enclose"), discs = runsOf(scene, "Flatten"),
           solves = runsOf(scene, "Distance"), layers = runsOf(scene, "Shading");
