@@ -113,6 +113,7 @@ TEST(RefineBetweenFilter, NewPointsLieOnOldTrianglesWithWhatTheyHold)
 TEST(RefineBetweenFilter, WhatIsFineEnoughIsPassedAndSoIsAllWithoutBothCurves)
 {
   Coarse fine(6);
+  fine.refine->SetEdges(4.0);
   fine.refine->Update();
   EXPECT_EQ(fine.refine->GetOutput()->GetPoints(), fine.mesh->GetPoints());
   EXPECT_EQ(fine.refine->GetOutput()->GetPolys(), fine.mesh->GetPolys());
