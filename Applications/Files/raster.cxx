@@ -33,8 +33,8 @@ const RasterReader& rasterReader()
 {
   static const auto* const reader = []() -> const RasterReader*
   {
-    // By its name, as other libraries are found. A sanitizer loads it in our place, and then the executable's RPATH alone counts:
-    // their presets link without new dtags.
+    // By its name, as other libraries are found. A sanitizer loads it in our place, and then the executable's
+    // RPATH alone counts: their presets link without new dtags.
     void* const module = dlopen(OVERSKETCH_RASTER_MODULE, RTLD_NOW | RTLD_LOCAL);
     return module ? static_cast<const RasterReader*>(dlsym(module, "oversketch_raster_reader")) : nullptr;
   }();

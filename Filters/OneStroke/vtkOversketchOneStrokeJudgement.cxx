@@ -207,7 +207,7 @@ StrokeEffect vtkOversketchOneStroke::Pipeline::EffectOf(const char* before, cons
 
 double vtkOversketchOneStroke::Pipeline::Missed(const StrokeEffect& effect)
 {
-  // Of a stroke that was closed the match makes another one.
+  // The match makes another stroke of one that was closed.
   if (this->Match->GetOutput(1)->GetPoints() == this->Self->StageOutput("Stroke")->GetPoints())
   {
     return effect.outline.worst;

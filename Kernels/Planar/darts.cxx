@@ -61,14 +61,14 @@ std::vector<Vector2> inwardCorners(const std::vector<StrokeLine>& lines, const F
 // By rows, in a row by columns.
 using Rows = std::vector<std::vector<Candidate>>;
 
-// What bounds r about a place: `atLeast`, and farther off the size there and a share of the distance.
+// Bound of r about a place: `atLeast`, and farther off the size there and a share of the distance.
 struct Bound
 {
   Vector2 place; // px
   double size, growth, atLeast;
 };
 
-// Of each line's vertices, the mean of the pieces that end there; none that others imply.
+// Adds a bound for each line's vertices, the mean of the pieces that end there; none that others imply.
 void addSizes(const std::vector<StrokeLine>& lines, const Frame& frame, std::vector<Bound>& bounds)
 {
   const double least = leastSize * std::max(frame.width, frame.height);
@@ -109,7 +109,7 @@ void addSizes(const std::vector<StrokeLine>& lines, const Frame& frame, std::vec
   }
 }
 
-// Of each pixel of a row the least that these allow, at most `most`.
+// Finds for each pixel of a row the largest r that all bounds allow, `most` at most.
 void allowed(const std::vector<Bound>& bounds, double most, int y, std::vector<double>& radii)
 {
   std::fill(radii.begin(), radii.end(), most);

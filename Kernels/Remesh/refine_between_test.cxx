@@ -59,6 +59,19 @@ int triangleAt(const Mesh& mesh, const Vector3& p)
   return nearest;
 }
 
+// Circle of radius 2, wide about a short line in the middle.
+RunOnMesh wideRing(const Mesh& mesh)
+{
+  RunOnMesh ring;
+  for (int i = 0; i <= 80; ++i)
+  {
+    const double angle = 2.0 * pi * i / 80.0;
+    ring.points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
+    ring.triangles.push_back(triangleAt(mesh, ring.points.back()));
+  }
+  return ring;
+}
+
 // A straight line along x, and the rim of what lies within `reach` of it.
 RefineInput inputOn(const Mesh& mesh, double edges = 6.0)
 {
@@ -201,7 +214,7 @@ TEST(RefineBetween, AtTheLineEdgesAreFinerThanHalfwayToTheRing)
   }
 }
 
-// Of all triangles along both curves those at the line are fewer than one in ten.
+// Triangles at the line are fewer than one in ten of those along both curves.
 TEST(RefineBetween, AShortLineThatAsksIsHeardBesideALongRing)
 {
   const Mesh mesh = square(28); // diagonals of 0.404
@@ -210,13 +223,7 @@ TEST(RefineBetween, AShortLineThatAsksIsHeardBesideALongRing)
   {
     p = { 0.1 * p[0], 0.1, 0.0 };
   }
-  input.ring[0] = {};
-  for (int i = 0; i <= 80; ++i)
-  {
-    const double angle = 2.0 * pi * i / 80.0;
-    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
-  }
+  input.ring[0] = wideRing(mesh);
   const auto made = refineBetween(input, Context());
   ASSERT_TRUE(made);
   EXPECT_LT(made->mesh.triangleCount(), mesh.triangleCount() + 400);
@@ -368,13 +375,7 @@ TEST(RefineBetween, WhatLiesOffTheWayFromLineToRingStays)
   {
     p *= 0.1;
   }
-  input.ring[0] = {};
-  for (int i = 0; i <= 80; ++i)
-  {
-    const double angle = 2.0 * pi * i / 80.0;
-    input.ring[0].points.emplace_back(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-    input.ring[0].triangles.push_back(triangleAt(mesh, input.ring[0].points.back()));
-  }
+  input.ring[0] = wideRing(mesh);
   const auto made = refineBetween(input, Context());
   ASSERT_TRUE(made);
   for (std::size_t t = 0; t < made->mesh.triangles.size(); ++t)

@@ -47,7 +47,7 @@ struct OutlineError
 };
 // `further` lines in the picture count like loops of the outline.
 OutlineError outlineError(const StrokeOutline& outline, const std::vector<OutlineLoop>& further = {});
-// Of all places of the stroke that lie beside the model the largest distance to its outline [px].
+// Largest distance to the model's outline [px] of the stroke's places beside the model.
 double missedBeside(const StrokeOutline& outline);
 
 // The silhouette of the region (one byte per vertex) in the picture, hidden or not: what a stroke over a
