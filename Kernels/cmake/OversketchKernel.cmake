@@ -71,8 +71,8 @@ function (oversketch_test_program target)
   target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
-# Each program of C++ tests has one home: what draws a release build, all others the sanitizers. The target `tests` builds those at
-# home, ctest runs what is labelled `home`; with OVERSKETCH_ALL_TESTS every program is at home in every build.
+# Each program of C++ tests has one home: what draws, or takes minutes under the sanitizers, a release build, all others the
+# sanitizers. The target `tests` builds those at home, ctest runs what is labelled `home`; with OVERSKETCH_ALL_TESTS every program is at home in every build.
 option(OVERSKETCH_ALL_TESTS "Build and run all C++ tests, those too whose home is another preset" OFF)
 add_custom_target(tests)
 
