@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs what must hold for each commit, each test in its one home: what draws, what Python runs and
-# what measures large models in the release build, all other C++ tests under the address and undefined-behaviour sanitizers.
+# Installs what is missing, builds, and runs what must hold for each commit, each test in its one home: kernels, files and what is hostile
+# under the address and undefined-behaviour sanitizers, all else in the release build.
 #
 # usage: Testing/test.sh          all that
 #        Testing/test.sh full     everything there is, hours; begun again where it stopped

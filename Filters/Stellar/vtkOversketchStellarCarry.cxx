@@ -1,5 +1,6 @@
 #include "vtkOversketchStellarCarry.h"
 
+#include "Mesh/rotation.h"
 #include "Stellar/distance.h"
 #include "Stellar/leaves.h"
 #include "vtkOversketchMixable.h"
@@ -205,7 +206,7 @@ Turns turnsOf(const Forest& before, const Forest& after)
       const Vector3 was = before.vertexNormal(i), is = after.vertexNormal(i);
       if (was.norm() > 0.0 && is.norm() > 0.0 && was != is)
       {
-        turned.emplace_back(i, Eigen::Quaterniond::FromTwoVectors(was, is));
+        turned.emplace_back(i, rotationBetween(was, is));
       }
     }
   }

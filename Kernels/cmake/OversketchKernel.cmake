@@ -71,8 +71,9 @@ function (oversketch_test_program target)
   target_compile_options(${target} PRIVATE ${oversketch_test_options} -Wno-shadow -Wno-subobject-linkage) # names of several files meet
 endfunction ()
 
-# Each program of C++ tests has one home: what draws, or takes minutes under the sanitizers, a release build, all others the
-# sanitizers. The target `tests` builds those at home, ctest runs what is labelled `home`; with OVERSKETCH_ALL_TESTS every program is at home in every build.
+# Each program of C++ tests has one home: what links VTK, or takes minutes under the sanitizers, a release build, kernels and what is
+# hostile the sanitizers. The target `tests` builds those at home, ctest runs what is labelled `home`; with OVERSKETCH_ALL_TESTS every
+# program is at home in every build.
 option(OVERSKETCH_ALL_TESTS "Build and run all C++ tests, those too whose home is another preset" OFF)
 add_custom_target(tests)
 
@@ -100,15 +101,15 @@ function (oversketch_lacks variable)
   set(${variable} ${lacks} PARENT_SCOPE)
 endfunction ()
 
-# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [RELEASE] [SHARDS <number>]): one GoogleTest program, one
+# oversketch_gtest(<name> SOURCES <file>... LIBRARIES <target>... [DISPLAY] [RELEASE | SANITIZER] [SHARDS <number>]): one GoogleTest program, one
 # test of ctest, or so many SHARDS of a long one. Tests of the specification's facts are named after stage and place:
-# TEST(A3_2, ...). DISPLAY: it draws, on a virtual display, and its home is a release build; so is that of one with RELEASE. There
-# is none where a system that it links is left out.
+# TEST(A3_2, ...). DISPLAY: it draws, on a virtual display. RELEASE, SANITIZER: its home, where it is not what the rule above says.
+# There is none where a system that it links is left out.
 function (oversketch_gtest name)
   if (NOT OVERSKETCH_BUILD_TESTING)
     return()
   endif ()
-  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;RELEASE" "SHARDS" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DISPLAY;RELEASE;SANITIZER" "SHARDS" "SOURCES;LIBRARIES")
   oversketch_lacks(lacks ${arg_LIBRARIES})
   if (lacks)
     return()
@@ -132,7 +133,7 @@ function (oversketch_gtest name)
     OPTIONS ${oversketch_test_options})
   set(run $<TARGET_FILE:${name}>)
   set(home SANITIZER)
-  if (arg_RELEASE OR arg_DISPLAY)
+  if (arg_RELEASE OR (kind STREQUAL tests AND NOT arg_SANITIZER))
     set(home RELEASE)
   endif ()
   if (arg_DISPLAY)

@@ -1,5 +1,5 @@
 // Drawings that nobody should draw: system C makes a closed mesh, or says in one message which stroke it is
-// and what to do. Random ones: 30; OVERSKETCH_DRAWINGS=1000 and OVERSKETCH_FIRST_DRAWING=NUMBER ask for
+// and what to do. Random ones: 15; OVERSKETCH_DRAWINGS=1000 and OVERSKETCH_FIRST_DRAWING=NUMBER ask for
 // others, a drawing is made of its number.
 #include "DrawingRuns.h"
 
@@ -318,7 +318,7 @@ TEST(HostileDrawings, RandomOnesAreMadeOrNamed)
   Outcomes outcomes;
   const int first =
               asked("OVERSKETCH_FIRST_DRAWING", static_cast<int>(oversketch_test::firstOfTheDay(30, 1000))),
-            count = asked("OVERSKETCH_DRAWINGS", 30);
+            count = asked("OVERSKETCH_DRAWINGS", 15);
   for (int run = first; run < first + count; ++run)
   {
     SCOPED_TRACE("drawing " + std::to_string(run));

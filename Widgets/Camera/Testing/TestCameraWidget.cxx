@@ -147,7 +147,7 @@ TEST(Random, EventsOnTheControls)
     vtkCommand::MouseWheelForwardEvent,
     vtkCommand::ConfigureEvent };
   const std::vector<const char*> keys{ "Escape", "BackSpace", "x", "w", "r", "i", "question" };
-  const Sequences sequences = sequencesAsked(40);
+  const Sequences sequences = sequencesAsked(16);
   MemoryLevel memory(sequences);
   int turns = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)

@@ -268,7 +268,7 @@ TEST(Random, EventsNeitherFailNorBreakTheCamera)
     "0",
     "Shift_L",
     "" };
-  const Sequences sequences = sequencesAsked(40);
+  const Sequences sequences = sequencesAsked(16);
   MemoryLevel memory(sequences);
   int moves = 0;
   for (unsigned seed = sequences.first; seed < sequences.end(); ++seed)

@@ -54,7 +54,7 @@ TEST(Random, EventsOnAHeldStroke)
   const std::vector<unsigned long> mouse = mouseEvents({ vtkCommand::MouseWheelForwardEvent });
   const std::vector<const char*> keys{ "Escape", "BackSpace", "Return", "x", "w", "r", "question", "q" };
   Held scene;
-  const Sequences sequences = sequencesAsked(40);
+  const Sequences sequences = sequencesAsked(16);
   MemoryLevel memory(sequences);
   Counter commits(scene.held, vtkCommand::WidgetValueChangedEvent);
   int grabs = 0;

@@ -117,7 +117,7 @@ TEST(Random, EventsNeitherFailNorLoseTheFrame)
     "Escape", "BackSpace", "Return", "KP_Enter", "x", "w", "r", "i", "exclam", "question", "q", "Shift_L"
   };
   Pen scene;
-  const Sequences sequences = sequencesAsked(40);
+  const Sequences sequences = sequencesAsked(16);
   MemoryLevel memory(sequences);
   int strokes = 0;
   Counter commits(scene.pen, vtkCommand::WidgetValueChangedEvent);
