@@ -80,8 +80,13 @@ RunSpans SpansOnLimb(vtkPolyData* ring, vtkPolyData* spline, vtkPolyData* mesh, 
     seeds.insert(seeds.end(), run.triangles.begin(), run.triangles.end());
   }
   const auto data = SharedMesh(mesh);
-  const std::vector<char> told = runsOnLimb(
-    data->Surface(), data->Neighbours().vertexVertices, ViewOfStroke(ring, 0), drawn, seeds, RunsOf(ring));
+  const std::vector<char> told = runsOnLimb(data->Surface(),
+    data->Normals(),
+    data->Neighbours().vertexVertices,
+    ViewOfStroke(ring, 0),
+    drawn,
+    seeds,
+    RunsOf(ring));
   if (std::find(told.begin(), told.end(), 0) != told.end())
   {
     for (std::size_t run = 0; run < told.size(); ++run)

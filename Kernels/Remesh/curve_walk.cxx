@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace oversketch
 {
@@ -292,6 +294,93 @@ std::optional<Way> walkEdges(const CurveMesh& mesh, int from, int to, double lon
     }
   }
   return std::nullopt;
+}
+
+namespace
+{
+
+std::vector<int> alongBorder(const CurveMesh& mesh, int v)
+{
+  std::vector<int> found = mesh.neighbours(v);
+  const auto isInner = [&](int w) { return mesh.trianglesAt(v, w).size() != 1; };
+  found.erase(std::remove_if(found.begin(), found.end(), isInner), found.end());
+  return found;
+}
+
+// The vertex itself where it is on the border, or its nearest neighbour that is; -1 where none is.
+int nearestOnBorder(const CurveMesh& mesh, int v)
+{
+  if (!alongBorder(mesh, v).empty())
+  {
+    return v;
+  }
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (const int w : mesh.neighbours(v))
+  {
+    const double away = (mesh.point(w) - mesh.point(v)).norm();
+    if (away < least && !mesh.onCurve(w) && !alongBorder(mesh, w).empty())
+    {
+      nearest = w;
+      least = away;
+    }
+  }
+  return nearest;
+}
+
+} // namespace
+
+std::optional<Way> walkBorder(const CurveMesh& mesh, int from, int to, double longest)
+{
+  const int begin = nearestOnBorder(mesh, from), end = nearestOnBorder(mesh, to);
+  if (begin < 0 || end < 0 || begin == end)
+  {
+    return std::nullopt;
+  }
+  std::optional<Way> shortest;
+  for (const int first : alongBorder(mesh, begin))
+  {
+    Way way;
+    const auto isFree = [&](int v) { return v == from || v == to || !mesh.onCurve(v); };
+    const auto goOn = [&](int v, int before)
+    {
+      way.length += (mesh.point(v) - mesh.point(before)).norm();
+      if (v != to)
+      {
+        way.steps.push_back({ v, -1, 0.0 });
+      }
+    };
+    if (begin != from)
+    {
+      goOn(begin, from);
+    }
+    int before = begin, at = first;
+    while (at != end && isFree(at) && way.length <= longest)
+    {
+      goOn(at, before);
+      const std::vector<int> next = alongBorder(mesh, at);
+      if (next.size() != 2) // where borders touch
+      {
+        break;
+      }
+      before = std::exchange(at, next[0] == before ? next[1] : next[0]);
+    }
+    if (at != end)
+    {
+      continue;
+    }
+    goOn(end, before);
+    if (end != to)
+    {
+      way.length += (mesh.point(to) - mesh.point(end)).norm();
+    }
+    longest = std::min(longest, way.length);
+    if (way.length <= longest)
+    {
+      shortest = way;
+    }
+  }
+  return shortest;
 }
 
 std::vector<int> makeWay(CurveMesh& mesh, const Way& way)

@@ -45,6 +45,10 @@ std::optional<Way> walkPlane(const CurveMesh& mesh, int from, int to, const Walk
 // The shortest way over edges that is no longer than `longest` and meets no curve.
 std::optional<Way> walkEdges(const CurveMesh& mesh, int from, int to, double longest);
 
+// The shorter way along the mesh's border, no longer than `longest`, that meets no curve; begun and ended
+// over an edge where a vertex is beside the border. None where one is not, or they are on two borders.
+std::optional<Way> walkBorder(const CurveMesh& mesh, int from, int to, double longest);
+
 // Makes the places of a way vertices, which are given back; each two in succession are joined by an edge.
 std::vector<int> makeWay(CurveMesh& mesh, const Way& way);
 

@@ -405,7 +405,7 @@ private:
       const Vector3 axis = this->Mesh.point(along.back()) - this->Mesh.point(along.front());
       rules.direction = [across = Vector3(axis.cross(b - a))](const Vector3&) { return across; };
     }
-    std::optional<Way> way;
+    std::optional<Way> way = walkBorder(this->Mesh, from, to, rules.longest);
     const bool isFirst = this->Rules.gap == InsertRules::Gap::Viewer; // off
     for (const Vector3& start : { isFirst ? off : on, isFirst ? on : off })
     {

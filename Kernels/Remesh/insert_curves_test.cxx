@@ -226,6 +226,31 @@ TEST(B2_6, RingsHalfBesideTheModelCloseBehindIt)
       std::to_string(joined) + " joined over what is seen; a small loop is cut out");
 }
 
+// Of rings round a sheet's corner and half beside its edge, what is on the sheet is enclosed, up to its
+// border.
+TEST(InsertCurves, ARingThatLeavesASheetGoesAlongItsBorder)
+{
+  const Mesh sheet = gridSurface(
+    40, 40, false, false, [](double u, double v) { return Vector3(4.0 * u - 2.0, 4.0 * v - 2.0, 0.0); });
+  const View view = orthographicView({ 0, 0, 1 }, { 0, 1, 0 }, 100.0);
+  for (const auto& [middle, quarters] : { std::pair(Vector2(600, 500), 1), std::pair(Vector2(600, 290), 2) })
+  {
+    const DrawnCurve ring = drawnCurve(sheet, view, circleOf(middle, 90), true);
+    const InsertedCurves result = insertOne(sheet, ring);
+    EXPECT_EQ(result.bridges, 1);
+    EXPECT_EQ(looseSegments(result.mesh, result.curves[0]), 0);
+    const std::vector<Triangle> region =
+      sideOf(result.mesh, result.curves[0], seenAt(result.mesh, view, middle - Vector2(30, 30)));
+    EXPECT_EQ(eulerNumber(region), 1);
+    double area = 0.0;
+    for (const Triangle& t : region)
+    {
+      area += areaOf(result.mesh, t);
+    }
+    EXPECT_NEAR(area, quarters * 0.25 * pi * 0.81, 0.02);
+  }
+}
+
 TEST(InsertCurves, AStoredCurveKeepsItsEdges)
 {
   const Mesh sphere = icosphere(4);

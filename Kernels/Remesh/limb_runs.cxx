@@ -36,22 +36,36 @@ bool isInside(const std::vector<Vector2>& polygon, const Vector2& p)
   return inside;
 }
 
-} // namespace
+constexpr double edgeOn = 0.02; // cosine between normal and view, under which a vertex faces nobody
 
-std::vector<char> runsOnLimb(const Mesh& mesh,
-  const Lists& vertexVertices,
-  const View& view,
-  const std::vector<Vector2>& ring,
-  const std::vector<int>& seeds,
-  const std::vector<RunOnMesh>& runs)
+// How long a run is, and how far two of a ring are apart.
+double lengthOf(const RunOnMesh& run)
 {
-  const std::vector<Vector2> polygon = coarsened(ring);
+  double length = 0.0;
+  for (std::size_t i = 1; i < run.points.size(); ++i)
+  {
+    length += (run.points[i] - run.points[i - 1]).norm();
+  }
+  return length;
+}
+
+double leapOf(const RunOnMesh& from, const RunOnMesh& to)
+{
+  return (to.points.front() - from.points.back()).norm();
+}
+
+// Of each vertex, whether the seeds reach it over edges whose vertices all pass.
+template <class Passes>
+std::vector<char> reachedFrom(const std::vector<int>& seeds,
+  const Mesh& mesh,
+  const Lists& vertexVertices,
+  const Passes& passes)
+{
   std::vector<char> reached(mesh.points.size(), 0);
   std::vector<int> open;
   const auto reach = [&](int v)
   {
-    if (!reached[v] && view.inFront(mesh.points[v]) &&
-        isInside(polygon, view.toDisplay(mesh.points[v]).head<2>()))
+    if (!reached[v] && passes(v))
     {
       reached[v] = 1;
       open.push_back(v);
@@ -59,10 +73,7 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
   };
   for (const int t : seeds)
   {
-    for (const int v : mesh.triangles[t])
-    {
-      reach(v);
-    }
+    std::for_each(mesh.triangles[t].begin(), mesh.triangles[t].end(), reach);
   }
   while (!open.empty())
   {
@@ -70,20 +81,55 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
     open.pop_back();
     std::for_each(vertexVertices.begin(v), vertexVertices.end(v), reach);
   }
-  std::vector<char> told;
-  for (const RunOnMesh& run : runs)
+  return reached;
+}
+
+} // namespace
+
+std::vector<char> runsOnLimb(const Mesh& mesh,
+  const std::vector<Vector3>& normals,
+  const Lists& vertexVertices,
+  const View& view,
+  const std::vector<Vector2>& ring,
+  const std::vector<int>& seeds,
+  const std::vector<RunOnMesh>& runs)
+{
+  const std::vector<Vector2> polygon = coarsened(ring);
+  const auto facing = [&](int v) { return normals[v].dot(view.towardsViewer(mesh.points[v]).normalized()); };
+  double side = 0.0; // of the line: of a mesh that is inside out it is below 0
+  for (const int t : seeds)
   {
-    told.push_back(std::any_of(run.triangles.begin(),
+    for (const int v : mesh.triangles[t])
+    {
+      side += facing(v);
+    }
+  }
+  const auto isWithin = [&](int v)
+  { return view.inFront(mesh.points[v]) && isInside(polygon, view.toDisplay(mesh.points[v]).head<2>()); };
+  const auto isOnSide = [&](int v) { return (side < 0.0 ? -facing(v) : facing(v)) > edgeOn && isWithin(v); };
+  const std::vector<char> joined = reachedFrom(seeds, mesh, vertexVertices, isWithin);
+  const std::vector<char> shown = reachedFrom(seeds, mesh, vertexVertices, isOnSide);
+  const auto touches = [&](const RunOnMesh& run, const std::vector<char>& reached)
+  {
+    return std::any_of(run.triangles.begin(),
       run.triangles.end(),
       [&](int t)
       {
         const Triangle& c = mesh.triangles[t];
         return reached[c[0]] || reached[c[1]] || reached[c[2]];
-      }));
+      });
+  };
+  const std::size_t count = runs.size();
+  std::vector<char> told;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const RunOnMesh& run = runs[k];
+    const double leaps = leapOf(runs[(k + count - 1) % count], run) + leapOf(run, runs[(k + 1) % count]);
+    told.push_back(touches(run, joined) && (touches(run, shown) || lengthOf(run) >= leaps));
   }
   return std::any_of(told.begin(), told.end(), [](char one) { return one != 0; })
            ? told
-           : std::vector<char>(runs.size(), 1);
+           : std::vector<char>(count, 1);
 }
 
 } // namespace oversketch

@@ -11,12 +11,14 @@
 namespace oversketch
 {
 
-// A ring round the tip of a limb often passes over another one beside or behind it, whose way to the first
-// leads over the body: a closed curve with both on it would not go round the limb. Of the runs of a ring on a
-// mesh those are told (1) that touch what the line reaches over edges without leaving the ring in the
-// picture; all, where that is none. ring: in display coordinates, closed. seeds: triangles that the line lies
-// in.
+// A ring often passes over another limb beside or behind the one it is meant for: a closed curve with both on
+// it would go round neither. Of the runs of a ring on a mesh those are told (1) that touch what the line
+// reaches over edges without leaving the ring in the picture, seen or hidden; and of these, where the line
+// reaches them over the far side of the model alone, those that are as long as the leaps to the runs before
+// and after, as on what lies behind a ridge. All are, where that leaves none. normals: of vertices, outward or
+// inward. ring: in display coordinates, closed. seeds: triangles that the line lies in.
 std::vector<char> runsOnLimb(const Mesh& mesh,
+  const std::vector<Vector3>& normals,
   const Lists& vertexVertices,
   const View& view,
   const std::vector<Vector2>& ring,

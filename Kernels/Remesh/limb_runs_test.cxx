@@ -60,13 +60,45 @@ struct TwoLegs
 TEST(LimbRuns, WhatIsReachedOutsideTheRingAloneIsAnotherLimb)
 {
   const TwoLegs legs;
+  const std::vector<Vector3> normals = vertexNormals(legs.mesh);
   const std::vector<int> line{ legs.triangleAt(Vector3(-2.0, 0.0, 0.5)) };
   const std::vector<RunOnMesh> runs{ legs.runAt(-2.0, 0.7), legs.runAt(2.0, 0.7), legs.runAt(-2.0, -0.7) };
   const auto over = [&](const std::vector<Vector2>& ring)
-  { return runsOnLimb(legs.mesh, legs.links.vertexVertices, legs.view, ring, line, runs); };
+  { return runsOnLimb(legs.mesh, normals, legs.links.vertexVertices, legs.view, ring, line, runs); };
   EXPECT_EQ(over(legs.box(-3.0, 3.0, -0.8, 0.8)), (std::vector<char>{ 1, 0, 1 }));
   // A ring that holds the bow between them holds both.
   EXPECT_EQ(over(legs.box(-3.0, 3.0, -0.8, 3.0)), (std::vector<char>{ 1, 1, 1 }));
+  // A leg behind the other: joined to it inside the ring, but over sides that face away.
+  const View along = orthographicView(Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0), 60.0);
+  std::vector<Vector2> round;
+  for (int i = 0; i < 60; ++i)
+  {
+    const double angle = 2.0 * pi * i / 60.0;
+    round.emplace_back(400.0 + 350.0 * std::cos(angle), 300.0 + 350.0 * std::sin(angle));
+  }
+  const auto toAndFro = [&](double x, int times) // over 0.4
+  {
+    RunOnMesh run;
+    for (int i = 0; i <= times; ++i)
+    {
+      run.points.emplace_back(x, i % 2 ? 0.9 : 0.5, 0.0);
+      run.triangles.push_back(legs.triangleAt(run.points.back()));
+    }
+    return run;
+  };
+  const auto ofLegs = [&](int times)
+  {
+    return runsOnLimb(legs.mesh,
+      normals,
+      legs.links.vertexVertices,
+      along,
+      round,
+      { legs.triangleAt(Vector3(-1.5, 0.0, 0.0)) },
+      { toAndFro(-1.4, 1), toAndFro(2.4, times) });
+  };
+  EXPECT_EQ(ofLegs(17), (std::vector<char>{ 1, 0 }));
+  // Longer than the leaps of 3.8 there and back.
+  EXPECT_EQ(ofLegs(21), (std::vector<char>{ 1, 1 }));
   // A line that lies beside its ring tells nothing.
   EXPECT_EQ(over(legs.box(5.0, 6.0, 5.0, 6.0)), (std::vector<char>{ 1, 1, 1 }));
 }

@@ -200,17 +200,57 @@ def within(polygon, places):
     return inside
 
 
-def limb(points, linked, line, xy, ring):
-    """Triangles at what the line reaches over edges without leaving the ring in the picture: a ring round the tip of a limb may pass over
-    another one too, on which it has no part."""
-    inside = within(ring, xy)
-    edges = linked.edges[inside[linked.edges].all(1)]
-    reached, before = np.zeros(len(points), bool), -1
-    reached[line] = inside[line]
+def limb(linked, line, passes):
+    """Triangles at what the line reaches over edges whose vertices pass."""
+    edges = linked.edges[passes[linked.edges].all(1)]
+    reached, before = np.zeros(len(passes), bool), -1
+    reached[line] = passes[line]
     while reached.sum() > before:
         before = reached.sum()
         reached[edges[reached[edges].any(1)]] = True
     return linked.triangles[reached[linked.triangles].any(1)]
+
+
+def on_line_side(linked, line, xy):
+    """Which vertices look to where the line is seen from, or away from there where the line does too."""
+    corner = xy[linked.triangles]
+    (ux, uy), (vx, vy) = (corner[:, 1] - corner[:, 0]).T, (corner[:, 2] - corner[:, 0]).T
+    turn = np.zeros(len(xy))
+    np.add.at(turn, linked.triangles, (ux * vy - uy * vx)[:, None])
+    return turn * np.sign(turn[line].sum()) > 0
+
+
+def own_stretches(course, under, alone, shown):
+    """Which samples of a ring lie on the line's limb, by the depths of all, of that limb and of what of it the line reaches on its own
+    side: a stretch that it does not reach there counts where it is as long as the leaps to those before and after."""
+    place = np.c_[course, under]
+    with np.errstate(invalid="ignore"):
+        own = np.abs(alone - under) <= AHEAD
+        starts = ~np.isfinite(under) | ~(np.linalg.norm(place - np.roll(place, 1, axis=0), axis=1) <= LEAP)
+    if not starts.any():
+        return own
+    first = np.flatnonzero(starts)[0]
+    order = np.roll(np.arange(len(course)), -first)
+    stretches = [s for s in np.split(order, np.flatnonzero(starts[order])[1:]) if np.isfinite(under[s]).all()]
+    leap = lambda a, b: np.linalg.norm(place[a[-1]] - place[b[0]])
+    for k, s in enumerate(stretches):
+        with np.errstate(invalid="ignore"):
+            reached = (np.abs(shown[s] - under[s]) <= AHEAD).any()
+        length = np.linalg.norm(np.diff(place[s], axis=0), axis=1).sum()
+        if not reached and length < leap(stretches[k - 1], s) + leap(s, stretches[(k + 1) % len(stretches)]):
+            own[s] = False
+    return own
+
+
+def on_limb(case, view, samples, course, at, under):
+    """Which samples of a ring lie on the limb that the line is on; all, where the line lies beside its ring."""
+    xy, _ = view.display(case.rest.points)
+    inside, faces = within(samples, xy), on_line_side(case.linked, case.line, xy)
+    whole = limb(case.linked, case.line, inside)
+    if not len(whole):
+        return np.ones(len(course), bool)
+    under_of = lambda part: picture.depths(view, case.rest.points, part)[0][at[:, 1], at[:, 0]] if len(part) else np.full(len(course), np.inf)
+    return own_stretches(course, under, under_of(whole), under_of(limb(case.linked, case.line, inside & faces)))
 
 
 def drawn(case, result):
@@ -233,11 +273,8 @@ def drawn(case, result):
         off, _, where = picture.distance_to(xy, [course], np.inf)
         nearest = np.clip(np.round(where / picture.lengths(course)[-1] * (len(course) - 1)).astype(int), 0, len(course) - 1)
         clear = in_sight(depth, course, under)
-        own = limb(case.rest.points, case.linked, case.line, view.display(case.rest.points)[0], samples) if name == "boundary" else []
-        if len(own):
-            alone = picture.depths(view, case.rest.points, own)[0][at[:, 1], at[:, 0]]
-            with np.errstate(invalid="ignore"):
-                clear &= np.abs(alone - under) <= AHEAD
+        if name == "boundary":  # one round the tip of a limb may pass over another one too, on which it has no part
+            clear &= on_limb(case, view, samples, course, at, under)
         with np.errstate(invalid="ignore"):
             gaps = not np.isfinite(under).all() or np.abs(np.diff(under)).max() > LEAP
         if gaps:

@@ -76,10 +76,24 @@ def test_a_limb_is_what_the_line_reaches_within_the_ring():
     legs = triangles[~((middle[:, 0] > 9) & (middle[:, 0] < 11) & (middle[:, 1] > 4))]  # joined below
     line = np.array([at(i, 8) for i in range(3, 7)])
     ring = np.array([(1.5, 6.5), (18.5, 6.5), (18.5, 12.5), (1.5, 12.5)])
-    found = lambda ring: points[edit_judge.limb(points, patches.Linked(legs), line, points[:, :2], ring)]
+    found = lambda ring: points[edit_judge.limb(patches.Linked(legs), line, edit_judge.within(ring, points[:, :2]))]
     assert found(ring)[:, :, 0].max() <= 9.0 and found(ring)[:, :, 1].min() == 6.0
     assert found(ring - (0, 4))[:, :, 0].max() > 17.0  # this one holds what joins them
     assert edit_judge.within(ring, np.array([(2.0, 7.0), (1.0, 7.0), (2.0, 13.0)])).tolist() == [True, False, False]
+
+
+def test_of_a_ring_that_leaps_what_the_line_does_not_reach_counts_where_it_is_long():
+    points, triangles, at = sheet()
+    line = np.array([at(i, 8) for i in range(3, 7)])
+    facing = edit_judge.on_line_side(patches.Linked(triangles), line, points[:, :2] * np.where(points[:, :1] > 12.5, (-1, 1), (1, 1)))
+    assert facing[points[:, 0] < 12].all() and not facing[points[:, 0] > 13.5].any()
+    for long, depth, counts in ((30, 20, False), (50, 20, True), (30, 10, True)):  # px; the last leaps to none
+        course = np.c_[np.arange(100.0 + long), np.zeros(100 + long)]
+        under = np.zeros(len(course))
+        under[60:60 + long] = -depth
+        shown = np.where(under == 0, under, -np.inf)
+        found = edit_judge.own_stretches(course, under, under, shown)
+        assert found[under == 0].all() and (found[60:60 + long] == counts).all()
 
 
 def test_a_plane_across_a_capped_limb_goes_round_it():
