@@ -36,7 +36,8 @@ bool isInside(const std::vector<Vector2>& polygon, const Vector2& p)
   return inside;
 }
 
-constexpr double edgeOn = 0.02; // cosine between normal and view, under which a vertex faces nobody
+constexpr double mostLeap = 1.5; // lengths of a run, to those before and after together
+constexpr double edgeOn = 0.02;  // cosine between normal and view, under which a vertex faces nobody
 
 // How long a run is, and how far two of a ring are apart.
 double lengthOf(const RunOnMesh& run)
@@ -125,7 +126,7 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
   {
     const RunOnMesh& run = runs[k];
     const double leaps = leapOf(runs[(k + count - 1) % count], run) + leapOf(run, runs[(k + 1) % count]);
-    told.push_back(touches(run, joined) && (touches(run, shown) || lengthOf(run) >= leaps));
+    told.push_back(touches(run, joined) && (touches(run, shown) || mostLeap * lengthOf(run) >= leaps));
   }
   return std::any_of(told.begin(), told.end(), [](char one) { return one != 0; })
            ? told

@@ -14,9 +14,9 @@ namespace oversketch
 // A ring often passes over another limb beside or behind the one it is meant for: a closed curve with both on
 // it would go round neither. Of the runs of a ring on a mesh those are told (1) that touch what the line
 // reaches over edges without leaving the ring in the picture, seen or hidden; and of these, where the line
-// reaches them over the far side of the model alone, those that are as long as the leaps to the runs before
-// and after, as on what lies behind a ridge. All are, where that leaves none. normals: of vertices, outward or
-// inward. ring: in display coordinates, closed. seeds: triangles that the line lies in.
+// reaches them over the far side of the model alone, those to and from which the leaps are at most half as
+// long again as they are, as on what lies behind a ridge. All are, where that leaves none. normals: of
+// vertices, outward or inward. ring: in display coordinates, closed. seeds: triangles that the line lies in.
 std::vector<char> runsOnLimb(const Mesh& mesh,
   const std::vector<Vector3>& normals,
   const Lists& vertexVertices,

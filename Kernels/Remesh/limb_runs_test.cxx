@@ -96,9 +96,9 @@ TEST(LimbRuns, WhatIsReachedOutsideTheRingAloneIsAnotherLimb)
       { legs.triangleAt(Vector3(-1.5, 0.0, 0.0)) },
       { toAndFro(-1.4, 1), toAndFro(2.4, times) });
   };
-  EXPECT_EQ(ofLegs(17), (std::vector<char>{ 1, 0 }));
-  // Longer than the leaps of 3.8 there and back.
-  EXPECT_EQ(ofLegs(21), (std::vector<char>{ 1, 1 }));
+  EXPECT_EQ(ofLegs(11), (std::vector<char>{ 1, 0 }));
+  // Leaps of 3.8 there and back: less than half as long again.
+  EXPECT_EQ(ofLegs(15), (std::vector<char>{ 1, 1 }));
   // A line that lies beside its ring tells nothing.
   EXPECT_EQ(over(legs.box(5.0, 6.0, 5.0, 6.0)), (std::vector<char>{ 1, 1, 1 }));
 }

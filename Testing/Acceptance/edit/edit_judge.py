@@ -222,7 +222,7 @@ def on_line_side(linked, line, xy):
 
 def own_stretches(course, under, alone, shown):
     """Which samples of a ring lie on the line's limb, by the depths of all, of that limb and of what of it the line reaches on its own
-    side: a stretch that it does not reach there counts where it is as long as the leaps to those before and after."""
+    side: a stretch that it does not reach there counts where the leaps to those before and after are at most half as long again."""
     place = np.c_[course, under]
     with np.errstate(invalid="ignore"):
         own = np.abs(alone - under) <= AHEAD
@@ -237,7 +237,7 @@ def own_stretches(course, under, alone, shown):
         with np.errstate(invalid="ignore"):
             reached = (np.abs(shown[s] - under[s]) <= AHEAD).any()
         length = np.linalg.norm(np.diff(place[s], axis=0), axis=1).sum()
-        if not reached and length < leap(stretches[k - 1], s) + leap(s, stretches[(k + 1) % len(stretches)]):
+        if not reached and 1.5 * length < leap(stretches[k - 1], s) + leap(s, stretches[(k + 1) % len(stretches)]):
             own[s] = False
     return own
 

@@ -87,7 +87,7 @@ def test_of_a_ring_that_leaps_what_the_line_does_not_reach_counts_where_it_is_lo
     line = np.array([at(i, 8) for i in range(3, 7)])
     facing = edit_judge.on_line_side(patches.Linked(triangles), line, points[:, :2] * np.where(points[:, :1] > 12.5, (-1, 1), (1, 1)))
     assert facing[points[:, 0] < 12].all() and not facing[points[:, 0] > 13.5].any()
-    for long, depth, counts in ((30, 20, False), (50, 20, True), (30, 10, True)):  # px; the last leaps to none
+    for long, depth, counts in ((25, 20, False), (35, 20, True), (25, 10, True)):  # px; the last leaps to none
         course = np.c_[np.arange(100.0 + long), np.zeros(100 + long)]
         under = np.zeros(len(course))
         under[60:60 + long] = -depth
