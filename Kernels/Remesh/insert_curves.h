@@ -66,9 +66,9 @@ struct InsertedCurves
 //   Where that meets a curve, or gets nowhere, the plane of the surface's normals and the shortest way over
 //   edges are tried;
 // - over a gap of a closed curve leads the first of five ways that meets no curve: along the mesh's border,
-//   where the curve leaves an open mesh over it; along the plane of both ends and the eye, off from the viewer
-//   and straight on; or on as the curve comes; along the plane of both ends and the mean of their normals;
-//   over edges; each no longer than four gaps and 0.3 of the mesh's diagonal;
+//   where the curve leaves an open mesh over it; along the plane of both ends and the eye, off from the
+//   viewer and straight on; or on as the curve comes; along the plane of both ends and the mean of their
+//   normals; over edges; each no longer than four gaps and 0.3 of the mesh's diagonal;
 // - what lies between two visits of a vertex is cut out, of a closed curve the shorter part; where that went
 //   through triangles that the rest does not touch, the rest alone is inserted, so that they stay whole;
 // - a new vertex on an edge of a curve that is stored belongs to that curve, else a region would leak there;
