@@ -374,9 +374,9 @@ std::optional<Way> walkBorder(const CurveMesh& mesh, int from, int to, double lo
     {
       way.length += (mesh.point(to) - mesh.point(end)).norm();
     }
-    longest = std::min(longest, way.length);
     if (way.length <= longest)
     {
+      longest = way.length;
       shortest = way;
     }
   }

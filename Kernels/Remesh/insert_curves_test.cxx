@@ -226,8 +226,7 @@ TEST(B2_6, RingsHalfBesideTheModelCloseBehindIt)
       std::to_string(joined) + " joined over what is seen; a small loop is cut out");
 }
 
-// Of rings round a sheet's corner and half beside its edge, what is on the sheet is enclosed, up to its
-// border.
+// Rings round a sheet's corner and half beside its edge enclose what is on the sheet, up to its border.
 TEST(InsertCurves, ARingThatLeavesASheetGoesAlongItsBorder)
 {
   const Mesh sheet = gridSurface(

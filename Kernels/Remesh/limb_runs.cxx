@@ -55,7 +55,7 @@ double leapOf(const RunOnMesh& from, const RunOnMesh& to)
   return (to.points.front() - from.points.back()).norm();
 }
 
-// Of each vertex, whether the seeds reach it over edges whose vertices all pass.
+// Vertices that the seeds reach over edges whose vertices all pass, a flag for each of the mesh.
 template <class Passes>
 std::vector<char> reachedFrom(const std::vector<int>& seeds,
   const Mesh& mesh,
@@ -107,8 +107,8 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
   }
   const auto isWithin = [&](int v)
   { return view.inFront(mesh.points[v]) && isInside(polygon, view.toDisplay(mesh.points[v]).head<2>()); };
-  const auto isOnSide = [&](int v) { return (side < 0.0 ? -facing(v) : facing(v)) > edgeOn && isWithin(v); };
   const std::vector<char> joined = reachedFrom(seeds, mesh, vertexVertices, isWithin);
+  const auto isOnSide = [&](int v) { return joined[v] && (side < 0.0 ? -facing(v) : facing(v)) > edgeOn; };
   const std::vector<char> shown = reachedFrom(seeds, mesh, vertexVertices, isOnSide);
   const auto touches = [&](const RunOnMesh& run, const std::vector<char>& reached)
   {
