@@ -3,9 +3,11 @@
 #include "Intersection/exact_triangles.h"
 #include "Mesh/weld.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace oversketch
 {
@@ -173,6 +175,47 @@ void weld(const Mesh& mesh, std::vector<Face>& faces)
   }
 }
 
+// The axes along which edges are longest and shortest: in boxes along them the needles of a stretched model
+// lie beside each other, where along x, y and z each would meet all.
+Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces, double size)
+{
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Face& face : faces)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const Triangle& t = mesh.triangles[face.id];
+      const Vector3 edge = (mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]) / size;
+      spread += edge * edge.transpose();
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  return axes.eigenvectors().allFinite() ? Eigen::Matrix3d(axes.eigenvectors().transpose())
+                                         : Eigen::Matrix3d::Identity();
+}
+
+// Puts each face's box along the axes, larger by what rounding may take from it.
+void alignBoxes(const Mesh& mesh, std::vector<Face>& faces)
+{
+  double size = std::numeric_limits<double>::min();
+  for (const Face& face : faces)
+  {
+    size =
+      std::max({ size, face.box.min().lpNorm<Eigen::Infinity>(), face.box.max().lpNorm<Eigen::Infinity>() });
+  }
+  const Eigen::Matrix3d axes = axesOf(mesh, faces, size);
+  const Vector3 error = Vector3::Constant(4e-15 * size);
+  for (Face& face : faces)
+  {
+    face.box.setEmpty();
+    for (const int v : mesh.triangles[face.id])
+    {
+      const Vector3 corner = axes * mesh.points[v];
+      face.box.extend(corner - error).extend(corner + error);
+    }
+  }
+}
+
 // The faces that can be in a pair: with area, and near a changed one.
 std::vector<Face> facesToTry(const Mesh& mesh, const std::vector<char>& changed)
 {
@@ -196,6 +239,7 @@ std::vector<Face> facesToTry(const Mesh& mesh, const std::vector<char>& changed)
       faces.push_back({ f, isChanged(f), t, box });
     }
   }
+  alignBoxes(mesh, faces);
   weld(mesh, faces);
   return faces;
 }
