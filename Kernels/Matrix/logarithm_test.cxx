@@ -108,8 +108,6 @@ TEST(B10_4, ReflectionsAndHalfTurnsAreRefused)
   // One drag may turn by 179 degrees.
   const Matrix4 nearly = turn(Vector3(1, 2, 3), 179.0);
   EXPECT_LT(difference(shareOf(nearly, 0.5), turn(Vector3(1, 2, 3), 89.5)), 1e-12);
-  // What Eigen says to a half turn is why this is checked.
-  EXPECT_GT(difference(Matrix4(scale(-1.0, 1.0, 1.0).log().exp()), scale(-1.0, 1.0, 1.0)), 1.0);
   fact("B10_4",
     std::to_string(refused) +
       " reflections, half turns and singular matrices are refused by name; a turn by 179 "
