@@ -185,7 +185,7 @@ void print(const Hand::Deeds& deeds)
 
 TEST(Window, LivesThroughRandomHands)
 {
-  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(5);
+  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(3);
   oversketch_test::MemoryLevel memory(sequences);
   QPixmapCache::setCacheLimit(0); // else up to 10 MiB, and the keys of what it has let go
   Hand::Deeds deeds;
@@ -230,7 +230,7 @@ TEST(Window, LivesThroughRandomHands)
 
 TEST(Window, LivesThroughRandomHandsOnADrawing)
 {
-  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(3);
+  const oversketch_test::Sequences sequences = oversketch_test::sequencesAsked(2);
   oversketch_test::MemoryLevel memory(sequences);
   QPixmapCache::setCacheLimit(0);
   Hand::Deeds deeds;
