@@ -1,6 +1,7 @@
 #include "vtkOversketchEditLimb.h"
 
 #include "Remesh/limb_runs.h"
+#include "vtkOversketchEditRegion.h"
 #include "vtkOversketchSharedMesh.h"
 #include "vtkOversketchStrokeView.h"
 
@@ -52,6 +53,18 @@ std::vector<RunOnMesh> RunsOf(vtkPolyData* curves)
   return runs;
 }
 
+std::vector<Vector2> PolygonOf(vtkPolyData* spline)
+{
+  std::vector<Vector2> polygon;
+  for (vtkIdType i = 0; i < spline->GetNumberOfPoints(); ++i)
+  {
+    double place[3];
+    spline->GetPoint(i, place);
+    polygon.emplace_back(place[0], place[1]);
+  }
+  return polygon;
+}
+
 bool IsWithin(const std::pair<double, double>& span, double t)
 {
   const double turns = std::ceil(span.first - t); // the curve's start may be within
@@ -67,13 +80,6 @@ RunSpans SpansOnLimb(vtkPolyData* ring, vtkPolyData* spline, vtkPolyData* mesh, 
   {
     return spans;
   }
-  std::vector<Vector2> drawn;
-  for (vtkIdType i = 0; i < spline->GetNumberOfPoints(); ++i)
-  {
-    double place[3];
-    spline->GetPoint(i, place);
-    drawn.emplace_back(place[0], place[1]);
-  }
   std::vector<int> seeds;
   for (const RunOnMesh& run : RunsOf(line))
   {
@@ -84,7 +90,7 @@ RunSpans SpansOnLimb(vtkPolyData* ring, vtkPolyData* spline, vtkPolyData* mesh, 
     data->Normals(),
     data->Neighbours().vertexVertices,
     ViewOfStroke(ring, 0),
-    drawn,
+    PolygonOf(spline),
     seeds,
     RunsOf(ring));
   if (std::find(told.begin(), told.end(), 0) != told.end())
@@ -120,6 +126,16 @@ void KeepSpans(vtkPolyData* ring, const RunSpans& spans, vtkPolyData* kept)
   }
   kept->SetLines(lines);
   kept->GetFieldData()->PassData(ring->GetFieldData());
+}
+
+double ShareOutside(vtkPolyData* mesh, vtkPolyData* ring, vtkPolyData* spline)
+{
+  std::vector<char> inside = ReadEditRegion(mesh);
+  for (char& label : inside)
+  {
+    label = label == EditLabel::Inside;
+  }
+  return shareOutside(SharedMesh(mesh)->Surface(), inside, ViewOfStroke(ring, 0), PolygonOf(spline));
 }
 
 double ShareSeen(vtkPolyData* ring, vtkPolyData* seen, double reach)

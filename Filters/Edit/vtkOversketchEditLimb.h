@@ -20,6 +20,10 @@ RunSpans SpansOnLimb(vtkPolyData* ring, vtkPolyData* spline, vtkPolyData* mesh, 
 // The runs of a ring whose middle is within one of the spans.
 void KeepSpans(vtkPolyData* ring, const RunSpans& spans, vtkPolyData* kept);
 
+// The share of the area of a mesh's EditRegion that lies outside a ring in the picture. ring: the strokes on
+// the mesh, for their view; spline: the ring in the picture.
+double ShareOutside(vtkPolyData* mesh, vtkPolyData* ring, vtkPolyData* spline);
+
 // What part of a ring's length lies within `reach` of runs that were seen.
 double ShareSeen(vtkPolyData* ring, vtkPolyData* seen, double reach);
 

@@ -267,45 +267,75 @@ void vtkOversketchEdit::Pipeline::RunBoundary(vtkPolyData* curve)
   SayWhose("boundary", [&] { this->RunCurve(this->Boundary, curve, this->Reference.Made.Mesh); });
 }
 
+double vtkOversketchEdit::Pipeline::TakenOutside()
+{
+  const Drawn& ring = this->Boundary;
+  return ring.Made.Bridges > 0 && !IsCurveOfEdit(ring.Lines.All().front())
+           ? ShareOutside(this->Self->StageOutput("Enclose"),
+               this->Self->StageOutput("BoundaryProject"),
+               this->Self->StageOutput("BoundaryFit"))
+           : 0.0;
+}
+
 void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
 {
   Drawn& ring = this->Boundary;
   const StepKey key(
     { WholeKey(this->Reference.Made.Mesh), WholeKey(this->Reference.Made.Curve), WholeKey(curve) },
     { ring.Insert->GetBridge() ? 1.0 : 0.0 });
-  if (ring.WaySeen != key)
-  {
-    ring.Way = 0;
-    ring.WaySeen = key;
-  }
+  const bool isSettled = ring.WaySeen == key;
+  ring.WaySeen = StepKey(); // until one is found: a run may be cancelled
   constexpr int gaps = vtkOversketchInsertCurve::Across + 1;
-  std::optional<Error> refused;
-  for (;; ++ring.Way)
+  const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? gaps : 2 * gaps) : 1;
+  const auto run = [&](int way)
   {
-    ring.IsWhole = ring.Way / gaps == 1;
-    ring.Insert->SetGap(ring.Way % gaps);
+    ring.Way = way;
+    ring.IsWhole = way / gaps == 1;
+    ring.Insert->SetGap(way % gaps);
+    this->RunBoundary(curve);
+    this->Self->RunStage("Enclose");
+  };
+  // What is taken of the model outside the ring in the picture shows a way that leads round the wrong side.
+  constexpr double mostOutside = 0.25;
+  std::optional<Error> refused;
+  int best = -1;
+  double least = 0.0;
+  for (int way = isSettled ? ring.Way : 0; way < ways; ++way)
+  {
     try
     {
-      this->RunBoundary(curve);
-      this->Self->RunStage("Enclose");
-      return;
+      run(way);
+      const double outside = isSettled ? 0.0 : this->TakenOutside();
+      if (outside <= mostOutside)
+      {
+        ring.WaySeen = key;
+        return;
+      }
+      if (best < 0 || outside < least)
+      {
+        best = way;
+        least = outside;
+      }
     }
     catch (const Error& error)
     {
       refused = refused ? refused : error;
-      const bool isOfRing = error.failure() == Failure::BadRegion || error.failure() == Failure::BadStroke;
-      const int ways = ring.Insert->GetBridge() ? (ring.Spans.empty() ? gaps : 2 * gaps) : 1;
-      if (!isOfRing)
+      if (error.failure() != Failure::BadRegion && error.failure() != Failure::BadStroke)
       {
         throw;
       }
-      if (ring.Way + 1 >= ways)
-      {
-        ring.Way = 0;
-        throw Error(*refused);
-      }
     }
   }
+  if (best < 0)
+  {
+    ring.Way = 0;
+    throw Error(*refused);
+  }
+  if (ring.Way != best)
+  {
+    run(best);
+  }
+  ring.WaySeen = key;
 }
 
 void vtkOversketchEdit::Pipeline::RequireOwnView(vtkPolyData* strokes,

@@ -216,6 +216,7 @@ private:
     bool closed,
     vtkPolyData* laid,
     oversketch::StepKey& seen);
+  double TakenOutside(); // the share of the region that lies outside the ring in the picture
   void RunCurve(Drawn& drawn, vtkPolyData* curve, vtkPolyData* mesh);
   void RunRedrawing(Drawn& drawn, std::size_t number);
   void RunProfile();

@@ -11,7 +11,8 @@ namespace
 {
 
 constexpr double radian = 57.29577951308232; // degrees
-constexpr double narrow = 20.0;              // degrees: an angle to be raised
+constexpr double narrow = 26.0;              // degrees: an angle to be raised,
+constexpr double narrowest = 20.0;           // if need be by a vertex less
 constexpr double leastGain = 0.1;            // degrees: smaller ones may go back and forth
 constexpr double largestShift = 0.1;         // how far a curve may move, of its new segment
 constexpr int mostRounds = 12;
@@ -287,6 +288,10 @@ private:
     {
       whole += this->Mesh.cross(t);
       before = std::min(before, this->angleOf(t));
+    }
+    if (before >= narrowest)
+    {
+      return;
     }
     for (const int t : around)
     {

@@ -83,7 +83,7 @@ InsertedCurves insertCurves(const Mesh& mesh,
   const InsertRules& rules,
   const Context& context = Context());
 
-// Raises the angles of triangles at the curves that are under 20 degrees, in at most twelve rounds: of the
+// Raises the angles of triangles at the curves that are under 26 degrees, in at most twelve rounds: of the
 // flips and collapses that are possible, the one that raises the smallest angle that it touches most. Normals
 // turn by at most 15 degrees. Not touched are what lies more than two mean edges from curves, edges and ends
 // of curves, border vertices, and vertices on edges over 25 degrees; of a curve, vertices that were inserted

@@ -133,4 +133,29 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
            : std::vector<char>(count, 1);
 }
 
+double shareOutside(const Mesh& mesh,
+  const std::vector<char>& inside,
+  const View& view,
+  const std::vector<Vector2>& ring)
+{
+  const std::vector<Vector2> polygon = coarsened(ring);
+  double outside = 0.0, whole = 0.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    if (!inside[t[0]] && !inside[t[1]] && !inside[t[2]])
+    {
+      continue;
+    }
+    const Vector3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const Vector3 middle = (a + b + c) / 3.0;
+    const double area = (b - a).cross(c - a).norm();
+    whole += area;
+    if (!view.inFront(middle) || !isInside(polygon, view.toDisplay(middle).head<2>()))
+    {
+      outside += area;
+    }
+  }
+  return whole > 0.0 ? outside / whole : 0.0;
+}
+
 } // namespace oversketch

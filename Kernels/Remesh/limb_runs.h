@@ -1,4 +1,4 @@
-// Which parts of a ring, drawn round a line, lie on what the line lies on.
+// What a ring that is drawn round a line is meant for: which parts of it, and what of the mesh.
 #ifndef oversketch_kernels_remesh_limb_runs_h
 #define oversketch_kernels_remesh_limb_runs_h
 
@@ -24,6 +24,13 @@ std::vector<char> runsOnLimb(const Mesh& mesh,
   const std::vector<Vector2>& ring,
   const std::vector<int>& seeds,
   const std::vector<RunOnMesh>& runs);
+
+// The share of a region's area that lies outside the ring in the picture, seen or hidden. inside: of
+// vertices; a triangle with such a one is in the region.
+double shareOutside(const Mesh& mesh,
+  const std::vector<char>& inside,
+  const View& view,
+  const std::vector<Vector2>& ring);
 
 } // namespace oversketch
 #endif
