@@ -330,3 +330,40 @@ TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
   s.run();
   EXPECT_EQ(std::string(s.filter->GetRemark()), "");
 }
+
+// A ring over a thigh, whose hidden way could lead round the rest of the dog as well.
+TEST(EditCoarse, WhatARingTakesLiesInItInThePicture)
+{
+  Eigen::Matrix4d from, onto = Eigen::Matrix4d::Zero();
+  from << -0.9848, 0.0, 0.1736, 0.105, 0.0449, 0.9659, 0.2549, -0.757, -0.1677, 0.2588, -0.9513, -4.381, 0.0,
+    0.0, 0.0, 1.0;
+  onto.diagonal() << 2.799, 3.732, -1.0513, 0.0;
+  onto(2, 3) = -0.8716;
+  onto(3, 2) = -1.0;
+  const View view(from, onto, 800, 600);
+  const Vector2 middle(317.0, 360.0), axis(0.797, -0.604), across(0.604, 0.797);
+  std::vector<Vector2> ring;
+  for (const Vector2& p : ellipse(0.0, 0.0, 79.0, 61.0))
+  {
+    ring.emplace_back(middle + p[0] * axis + p[1] * across);
+  }
+  EditSystem s(shippedModel("dog"));
+  s.filter->SetReferenceData(toStroke(
+    { { 270, 376 }, { 296, 393 }, { 325, 392 }, { 347, 378 }, { 354, 354 }, { 351, 326 }, { 347, 318 } },
+    view));
+  s.filter->SetBoundaryData(toStroke(ring, view));
+  s.run();
+  vtkPolyData* labels = outputOf(s.filter, "Enclose", 0);
+  int inside = 0, beyond = 0;
+  for (vtkIdType v = 0; v < labels->GetNumberOfPoints(); ++v)
+  {
+    if (labels->GetPointData()->GetArray("EditRegion")->GetComponent(v, 0) == 2.0)
+    {
+      const Vector2 p = view.toDisplay(placeOf(labels, v)).head<2>() - middle;
+      ++inside;
+      beyond += std::hypot(p.dot(axis) / 79.0, p.dot(across) / 61.0) > 1.05 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_LT(beyond, inside / 20) << inside;
+}
