@@ -295,7 +295,7 @@ void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
     this->RunBoundary(curve);
     this->Self->RunStage("Enclose");
   };
-  // What is taken of the model outside the ring in the picture shows a way that leads round the wrong side.
+  // A way that leads round the wrong side takes more than this share outside the ring in the picture.
   constexpr double mostOutside = 0.25;
   std::optional<Error> refused;
   int best = -1;
@@ -328,7 +328,6 @@ void vtkOversketchEdit::Pipeline::RunEnclosed(vtkPolyData* curve)
   }
   if (best < 0)
   {
-    ring.Way = 0;
     throw Error(*refused);
   }
   if (ring.Way != best)

@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <limits>
 
 namespace oversketch
 {
@@ -177,7 +176,7 @@ void weld(const Mesh& mesh, std::vector<Face>& faces)
 
 // The axes along which edges are longest and shortest: in boxes along them the needles of a stretched model
 // lie beside each other, where along x, y and z each would meet all.
-Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces, double size)
+Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces)
 {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Face& face : faces)
@@ -185,7 +184,7 @@ Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces, double 
     for (int i = 0; i < 3; ++i)
     {
       const Triangle& t = mesh.triangles[face.id];
-      const Vector3 edge = (mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]) / size;
+      const Vector3 edge = mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]];
       spread += edge * edge.transpose();
     }
   }
@@ -197,13 +196,13 @@ Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces, double 
 // Puts each face's box along the axes, larger by what rounding may take from it.
 void alignBoxes(const Mesh& mesh, std::vector<Face>& faces)
 {
-  double size = std::numeric_limits<double>::min();
+  Box whole;
   for (const Face& face : faces)
   {
-    size =
-      std::max({ size, face.box.min().lpNorm<Eigen::Infinity>(), face.box.max().lpNorm<Eigen::Infinity>() });
+    whole.extend(face.box);
   }
-  const Eigen::Matrix3d axes = axesOf(mesh, faces, size);
+  const double size = whole.min().cwiseAbs().cwiseMax(whole.max().cwiseAbs()).maxCoeff();
+  const Eigen::Matrix3d axes = axesOf(mesh, faces);
   const Vector3 error = Vector3::Constant(4e-15 * size);
   for (Face& face : faces)
   {

@@ -185,6 +185,24 @@ TEST(CrossingFaces, touching)
   EXPECT_FALSE(cross({ 2, 2, std::numeric_limits<double>::denorm_min() }, { 5, 5, 1 }, { 5, 5, 2 }));
 }
 
+// Faces that touch at a side of their boxes, which lie askew: no rounding may part them.
+TEST(CrossingFaces, touchingAtASideOfTheirBoxes)
+{
+  const Vector3 u(1, 2, 2), v(2, 1, -2), far(1e5, -3e5, 7e5);
+  for (int half = 2; half < 40; ++half)
+  {
+    for (int at = 1 - half; at < half; ++at)
+    {
+      const Vector3 corner = far + at * v;
+      const Mesh mesh{
+        { far - half * v, far + half * v, far - 9 * u, corner, corner + 9 * u + v, corner + 9 * u - v },
+        { { 0, 1, 2 }, { 3, 4, 5 } }
+      };
+      EXPECT_EQ(crossings(mesh).size(), 1u) << half << ", " << at;
+    }
+  }
+}
+
 TEST(CrossingFaces, inOnePlane)
 {
   EXPECT_TRUE(cross({ 1, 1, 0 }, { 9, 1, 0 }, { 1, 9, 0 })) << "they lap over";

@@ -1,4 +1,4 @@
-// What a ring that is drawn round a line is meant for: which parts of it, and what of the mesh.
+// Runs of a ring that lie on what its line lies on, and the share of a region outside the ring.
 #ifndef oversketch_kernels_remesh_limb_runs_h
 #define oversketch_kernels_remesh_limb_runs_h
 

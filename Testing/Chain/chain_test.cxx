@@ -352,7 +352,7 @@ TEST(ChainPairs, EveryStepTakesWhatEveryOtherMakes)
       lines(3, "Strokes") + " --radius " + numbered(chain.radius) + " --height " + numbered(chain.height) } };
   const std::string drawing = lines(0, "Strokes") + image;
   run("inflate " + drawing + end + plain, folder);
-  // Not as published: the leaf's stalk is thinner than what the steps after it draw.
+  // A drawing as published is left out: its stalk is thinner than what the steps after it draw.
   const std::map<std::string, std::vector<std::string>> kinds = {
     { "inflate " + drawing,
       { "",

@@ -13,7 +13,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from scene import *  # noqa: F403
 
 FORMATS = ["vtp", "obj", "ply", "stl", "off", "gltf", "glb"]
-# In which the shipped dog is moved, too: for each commit one, in turn.
+# Formats in which the shipped dog is moved, too: one for each commit, in turn.
 DOGS = FORMATS if "OVERSKETCH_FULL" in os.environ else [FORMATS[int(os.environ.get("OVERSKETCH_SEED", "0")) % len(FORMATS)]]
 
 
