@@ -122,7 +122,7 @@ public:
 
   ///@{
   /**
-   * Raise angles under 26 degrees at the curves by flips, and under 20 by collapses, too [default on; off as
+   * Raise angles under 24 degrees at the curves by flips, and under 20 by collapses, too [default on; off as
    * published].
    */
   vtkSetMacro(Clean, bool);

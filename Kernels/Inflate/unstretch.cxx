@@ -3,6 +3,7 @@
 #include "Planar/guard.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace oversketch
@@ -19,7 +20,9 @@ constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 10.0;
 constexpr double fewest = 0.182, middle = 0.61;
 constexpr double narrower = 0.8; // of what they are, where they do not reach that as it is
 constexpr int steps = 10;        // of how far points are moved
-constexpr int rounds = 3;        // of averaging the lengths
+// The bend over a rim may be so much of the one over the edges beside it.
+constexpr double evenBend = 1.02;
+constexpr int rounds = 3; // of averaging the lengths
 
 // Of each point the mean length of the edges about it, smooth along the mesh [world].
 std::vector<double> lengthsOf(const PlanarMesh& mesh)
@@ -66,15 +69,26 @@ std::vector<double> lengthsOf(const PlanarMesh& mesh)
   return lengths;
 }
 
-// How far each point is to move [world]; 0 of those on strokes.
-std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, const Context& context)
+// What moves each point: none of those on strokes.
+struct Moves
+{
+  std::vector<Vector2> moves;       // [world]
+  std::vector<double> before, even; // of the thickness, from the rim: where the point is, and is to be
+  std::vector<char> first;          // an edge joins it to a rim
+};
+
+Moves wanted(const PlanarMesh& mesh, const HeightMaps& maps, const Context& context)
 {
   const Frame& frame = maps.distance.frame;
   const MapReader reader(maps);
   const std::vector<int> objects = objectsOf(mesh);
   const std::vector<double> lengths = lengthsOf(mesh);
-  std::vector<Vector2> moves(mesh.points.size(), Vector2::Zero());
-  context.parallelFor(static_cast<int>(moves.size()),
+  const std::size_t count = mesh.points.size();
+  Moves wanted{ std::vector<Vector2>(count, Vector2::Zero()),
+    std::vector<double>(count, 0.0),
+    std::vector<double>(count, 0.0),
+    std::vector<char>(count, 0) };
+  context.parallelFor(static_cast<int>(count),
     [&](int begin, int end)
     {
       for (int i = begin; i < end && !context.cancelled(); ++i)
@@ -88,19 +102,74 @@ std::vector<Vector2> wanted(const PlanarMesh& mesh, const HeightMaps& maps, cons
         const double whole = reader.inner(maps.thickness, at, objects[i]);
         const double distance = std::min(reader.distance(at), whole);
         const Vector2 slope = reader.slope(at);
+        wanted.before[i] = wanted.even[i] = whole > 0.0 ? distance / whole : 1.0;
         // On a ridge T has no direction.
         if (!(distance > 0.0) || !(slope.norm() > 0.5))
         {
           continue;
         }
-        const double share = (lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine);
-        const double u = distance / whole;
-        const double even = whole * (1.0 - std::cos(halfPi * u));
-        moves[i] = -frame.spacing * std::clamp(share, 0.0, 1.0) * (distance - even) * slope.normalized();
+        const double share =
+          std::clamp((lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine), 0.0, 1.0);
+        wanted.even[i] += share * (1.0 - std::cos(halfPi * wanted.before[i]) - wanted.before[i]);
+        wanted.moves[i] = frame.spacing * whole * (wanted.even[i] - wanted.before[i]) * slope.normalized();
       }
     });
+  for (const PlanarFace& face : mesh.faces)
+  {
+    for (int k = 0; k < face.count(); ++k)
+    {
+      const int a = face.corners[k], b = face.corners[(k + 1) % face.count()];
+      wanted.first[a] = wanted.first[a] || isRim(mesh.points[b].kind);
+      wanted.first[b] = wanted.first[b] || isRim(mesh.points[a].kind);
+    }
+  }
   context.checkpoint(0.3);
-  return moves;
+  return wanted;
+}
+
+// Edges of the first row beside a rim and the corners beyond them.
+std::vector<std::array<int, 3>> firstRow(const PlanarMesh& mesh, const std::vector<char>& first)
+{
+  std::vector<std::array<int, 3>> row;
+  for (const PlanarFace& face : mesh.faces)
+  {
+    for (int k = 0; k < 3 && face.count() == 3; ++k)
+    {
+      const int a = face.corners[k], b = face.corners[(k + 1) % 3], beyond = face.corners[(k + 2) % 3];
+      const auto inside = [&](int v) { return mesh.points[v].kind == BoundaryKind::Interior; };
+      if (inside(a) && inside(b) && first[a] && first[b] && inside(beyond) && !first[beyond])
+      {
+        row.push_back({ a, b, beyond });
+      }
+    }
+  }
+  return row;
+}
+
+// How much of what is wanted the first row moves, and those inside of it.
+struct Shares
+{
+  double first, inside;
+  double of(const Moves& wanted, int v) const { return wanted.first[v] ? this->first : this->inside; }
+};
+
+// Whether a rim would bend about as much as what is beside it: on a circle the first bend is the angle to the
+// first row, the other one half of that to the second.
+bool bendsEvenly(const std::vector<std::array<int, 3>>& row, const Moves& wanted, const Shares& shares)
+{
+  const auto angle = [&](int v)
+  {
+    const double share = shares.of(wanted, v);
+    const double to = wanted.before[v] + share * (wanted.even[v] - wanted.before[v]);
+    return std::acos(1.0 - std::clamp(to, 0.0, 1.0));
+  };
+  double rim = 0.0, beside = 0.0;
+  for (const auto& [a, b, beyond] : row)
+  {
+    rim += angle(a) + angle(b);
+    beside += angle(beyond);
+  }
+  return rim <= evenBend * beside;
 }
 
 struct Angles
@@ -110,10 +179,7 @@ struct Angles
 
 // Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the
 // half.
-Angles anglesOf(const PlanarMesh& mesh,
-  const std::vector<Vector2>& moves,
-  double share,
-  const Context& context)
+Angles anglesOf(const PlanarMesh& mesh, const Moves& wanted, const Shares& shares, const Context& context)
 {
   std::vector<double> least(mesh.faces.size());
   context.parallelFor(static_cast<int>(least.size()),
@@ -125,7 +191,7 @@ Angles anglesOf(const PlanarMesh& mesh,
         const auto at = [&](int k) -> Vector2
         {
           const int corner = face.corners[k % face.count()];
-          return mesh.points[corner].place + share * moves[corner];
+          return mesh.points[corner].place + shares.of(wanted, corner) * wanted.moves[corner];
         };
         least[f] = halfPi;
         for (int k = 0; k < face.count(); ++k)
@@ -144,26 +210,35 @@ Angles anglesOf(const PlanarMesh& mesh,
   return { nth(least.size() / 20), nth(least.size() / 2) };
 }
 
-// How much of the moves leaves the plane's triangles in shape.
-double affordable(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const Context& context)
+// How much of the moves leaves the rim even, and the plane's triangles in shape. The rows inside give way
+// first.
+Shares affordable(const PlanarMesh& mesh, const Moves& wanted, const Context& context)
 {
-  if (mesh.faces.empty())
+  const std::vector<std::array<int, 3>> row = firstRow(mesh, wanted.first);
+  const Angles rest = anglesOf(mesh, wanted, { 0.0, 0.0 }, context);
+  const auto kept = [](double asked, double before) { return before >= asked ? asked : narrower * before; };
+  const auto inShape = [&](const Shares& shares)
   {
-    return 0.0;
-  }
-  const Angles rest = anglesOf(mesh, moves, 0.0, context);
-  const auto kept = [](double wanted, double before)
-  { return before >= wanted ? wanted : narrower * before; };
-  for (int step = steps; step > 0; --step)
+    const Angles now = anglesOf(mesh, wanted, shares, context);
+    return now.low >= kept(fewest, rest.low) && now.half >= kept(middle, rest.half);
+  };
+  for (int step = steps; step >= 0; --step)
   {
-    const double share = static_cast<double>(step) / steps;
-    const Angles now = anglesOf(mesh, moves, share, context);
-    if (now.low >= kept(fewest, rest.low) && now.half >= kept(middle, rest.half))
+    const Shares shares{ 1.0, static_cast<double>(step) / steps };
+    if (bendsEvenly(row, wanted, shares) && inShape(shares))
     {
-      return share;
+      return shares;
     }
   }
-  return 0.0;
+  for (int step = steps; step > 0; --step)
+  {
+    const Shares shares{ static_cast<double>(step) / steps, 0.0 };
+    if (inShape(shares))
+    {
+      return shares;
+    }
+  }
+  return { 0.0, 0.0 };
 }
 
 } // namespace
@@ -173,23 +248,24 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
   const Context& context,
   UnstretchReport* report)
 {
-  std::vector<Vector2> moves = wanted(mesh, maps, context);
-  const double share = affordable(mesh, moves, context);
-  for (Vector2& move : moves)
+  if (mesh.faces.empty())
   {
-    move *= share;
+    return mesh;
   }
+  const Moves toRim = wanted(mesh, maps, context);
+  const Shares shares = affordable(mesh, toRim, context);
   const double longest = maps.distance.frame.spacing * maps.distance.frame.width;
   const double least = flat * longest * longest;
   SubdividedMesh level;
   level.mesh = mesh;
-  for (std::size_t i = 0; i < moves.size(); ++i)
+  for (int i = 0; i < static_cast<int>(mesh.points.size()); ++i)
   {
-    level.smooth.push_back(mesh.points[i].place + moves[i]);
-    level.free.push_back(moves[i] != Vector2::Zero());
+    const Vector2 move = shares.of(toRim, i) * toRim.moves[i];
+    level.smooth.push_back(mesh.points[i].place + move);
+    level.free.push_back(move != Vector2::Zero());
   }
   keepUpright(level, least, {}, context);
-  for (std::size_t i = 0; i < moves.size() && report; ++i)
+  for (std::size_t i = 0; i < mesh.points.size() && report; ++i)
   {
     const Vector2& place = level.mesh.points[i].place;
     report->moved += place != mesh.points[i].place;
