@@ -3,7 +3,6 @@
 #include "Planar/guard.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace oversketch
@@ -13,16 +12,18 @@ namespace
 
 constexpr double halfPi = 1.57079632679489661923;
 constexpr double flat = 1e-12; // of the canvas's square
+// Of the angle of the points beyond it on the circle, a point of the first row: the rim bends by the first
+// angle, what is beside it by half of the second.
+constexpr double firstAngle = 0.53;
 // Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
 // smooth as it is; ten rows and fewer are evened in full.
 constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 10.0;
 // What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
 constexpr double fewest = 0.182, middle = 0.61;
-constexpr double narrower = 0.8; // of what they are, where they do not reach that as it is
-constexpr int steps = 10;        // of how far points are moved
-// The bend over a rim may be so much of the one over the edges beside it.
-constexpr double evenBend = 1.02;
-constexpr int rounds = 3; // of averaging the lengths
+constexpr double narrower = 0.88; // of what they are, where they do not reach that as it is
+constexpr int steps = 10;         // of how far points are moved
+constexpr int leastInside = 4;    // of these steps: less of the inner rows, and their triangles are stretched
+constexpr int rounds = 3;         // of averaging the lengths
 
 // Of each point the mean length of the edges about it, smooth along the mesh [world].
 std::vector<double> lengthsOf(const PlanarMesh& mesh)
@@ -69,25 +70,31 @@ std::vector<double> lengthsOf(const PlanarMesh& mesh)
   return lengths;
 }
 
-// What moves each point: none of those on strokes.
-struct Moves
+// Places on the circular cross-section, as shares of the thickness off the rim.
+struct Rows
 {
-  std::vector<Vector2> moves;       // [world]
-  std::vector<double> before, even; // of the thickness, from the rim: where the point is, and is to be
-  std::vector<char> first;          // an edge joins it to a rim
+  std::vector<Vector2> inward; // what a share of 1 is in the plane [world]; 0 of points that stay
+  std::vector<double> before;
+  std::vector<double> need;             // 0 where edges are fine, 1 where they are coarse
+  std::vector<std::vector<int>> beyond; // of points that an edge joins to a rim: those that it joins to none
 };
 
-Moves wanted(const PlanarMesh& mesh, const HeightMaps& maps, const Context& context)
+double angleAt(double share)
+{
+  return std::acos(1.0 - std::clamp(share, 0.0, 1.0));
+}
+
+Rows rowsOf(const PlanarMesh& mesh, const HeightMaps& maps, const Context& context)
 {
   const Frame& frame = maps.distance.frame;
   const MapReader reader(maps);
   const std::vector<int> objects = objectsOf(mesh);
   const std::vector<double> lengths = lengthsOf(mesh);
   const std::size_t count = mesh.points.size();
-  Moves wanted{ std::vector<Vector2>(count, Vector2::Zero()),
+  Rows rows{ std::vector<Vector2>(count, Vector2::Zero()),
     std::vector<double>(count, 0.0),
     std::vector<double>(count, 0.0),
-    std::vector<char>(count, 0) };
+    std::vector<std::vector<int>>(count) };
   context.parallelFor(static_cast<int>(count),
     [&](int begin, int end)
     {
@@ -102,74 +109,72 @@ Moves wanted(const PlanarMesh& mesh, const HeightMaps& maps, const Context& cont
         const double whole = reader.inner(maps.thickness, at, objects[i]);
         const double distance = std::min(reader.distance(at), whole);
         const Vector2 slope = reader.slope(at);
-        wanted.before[i] = wanted.even[i] = whole > 0.0 ? distance / whole : 1.0;
+        rows.before[i] = whole > 0.0 ? distance / whole : 1.0;
         // On a ridge T has no direction.
         if (!(distance > 0.0) || !(slope.norm() > 0.5))
         {
           continue;
         }
-        const double share =
-          std::clamp((lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine), 0.0, 1.0);
-        wanted.even[i] += share * (1.0 - std::cos(halfPi * wanted.before[i]) - wanted.before[i]);
-        wanted.moves[i] = frame.spacing * whole * (wanted.even[i] - wanted.before[i]) * slope.normalized();
+        rows.need[i] = std::clamp((lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine), 0.0, 1.0);
+        rows.inward[i] = frame.spacing * whole * slope.normalized();
       }
     });
-  for (const PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      const int a = face.corners[k], b = face.corners[(k + 1) % face.count()];
-      wanted.first[a] = wanted.first[a] || isRim(mesh.points[b].kind);
-      wanted.first[b] = wanted.first[b] || isRim(mesh.points[a].kind);
-    }
-  }
   context.checkpoint(0.3);
-  return wanted;
-}
 
-// Edges of the first row beside a rim and the corners beyond them.
-std::vector<std::array<int, 3>> firstRow(const PlanarMesh& mesh, const std::vector<char>& first)
-{
-  std::vector<std::array<int, 3>> row;
-  for (const PlanarFace& face : mesh.faces)
+  const auto eachEdge = [&](const auto& use)
   {
-    for (int k = 0; k < 3 && face.count() == 3; ++k)
+    for (const PlanarFace& face : mesh.faces)
     {
-      const int a = face.corners[k], b = face.corners[(k + 1) % 3], beyond = face.corners[(k + 2) % 3];
-      const auto inside = [&](int v) { return mesh.points[v].kind == BoundaryKind::Interior; };
-      if (inside(a) && inside(b) && first[a] && first[b] && inside(beyond) && !first[beyond])
+      for (int k = 0; k < face.count(); ++k)
       {
-        row.push_back({ a, b, beyond });
+        const int a = face.corners[k], b = face.corners[(k + 1) % face.count()];
+        use(a, b);
+        use(b, a);
       }
     }
-  }
-  return row;
+  };
+  std::vector<char> first(count, 0);
+  eachEdge([&](int a, int b) { first[a] = first[a] || isRim(mesh.points[b].kind); });
+  eachEdge(
+    [&](int a, int b)
+    {
+      if (first[a] && !first[b] && mesh.points[b].kind == BoundaryKind::Interior)
+      {
+        rows.beyond[a].push_back(b);
+      }
+    });
+  return rows;
 }
 
 // How much of what is wanted the first row moves, and those inside of it.
 struct Shares
 {
   double first, inside;
-  double of(const Moves& wanted, int v) const { return wanted.first[v] ? this->first : this->inside; }
 };
 
-// Whether a rim would bend about as much as what is beside it: on a circle the first bend is the angle to the
-// first row, the other one half of that to the second.
-bool bendsEvenly(const std::vector<std::array<int, 3>>& row, const Moves& wanted, const Shares& shares)
+// How far each point moves.
+std::vector<Vector2> movesOf(const Rows& rows, const Shares& shares)
 {
-  const auto angle = [&](int v)
+  const auto evenAt = [&](int i) { return 1.0 - std::cos(halfPi * rows.before[i]); };
+  const auto insideAt = [&](int i)
+  { return rows.before[i] + shares.inside * rows.need[i] * (evenAt(i) - rows.before[i]); };
+  std::vector<Vector2> moves;
+  for (int i = 0; i < static_cast<int>(rows.before.size()); ++i)
   {
-    const double share = shares.of(wanted, v);
-    const double to = wanted.before[v] + share * (wanted.even[v] - wanted.before[v]);
-    return std::acos(1.0 - std::clamp(to, 0.0, 1.0));
-  };
-  double rim = 0.0, beside = 0.0;
-  for (const auto& [a, b, beyond] : row)
-  {
-    rim += angle(a) + angle(b);
-    beside += angle(beyond);
+    double to = insideAt(i);
+    if (const std::vector<int>& beyond = rows.beyond[i]; !beyond.empty())
+    {
+      double angle = 0.0;
+      for (const int v : beyond)
+      {
+        angle += angleAt(insideAt(v)) / static_cast<double>(beyond.size());
+      }
+      to = std::min(rows.before[i], 1.0 - std::cos(firstAngle * angle));
+      to = rows.before[i] + shares.first * rows.need[i] * (to - rows.before[i]);
+    }
+    moves.emplace_back((to - rows.before[i]) * rows.inward[i]);
   }
-  return rim <= evenBend * beside;
+  return moves;
 }
 
 struct Angles
@@ -179,7 +184,7 @@ struct Angles
 
 // Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the
 // half.
-Angles anglesOf(const PlanarMesh& mesh, const Moves& wanted, const Shares& shares, const Context& context)
+Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const Context& context)
 {
   std::vector<double> least(mesh.faces.size());
   context.parallelFor(static_cast<int>(least.size()),
@@ -191,7 +196,7 @@ Angles anglesOf(const PlanarMesh& mesh, const Moves& wanted, const Shares& share
         const auto at = [&](int k) -> Vector2
         {
           const int corner = face.corners[k % face.count()];
-          return mesh.points[corner].place + shares.of(wanted, corner) * wanted.moves[corner];
+          return mesh.points[corner].place + moves[corner];
         };
         least[f] = halfPi;
         for (int k = 0; k < face.count(); ++k)
@@ -210,35 +215,32 @@ Angles anglesOf(const PlanarMesh& mesh, const Moves& wanted, const Shares& share
   return { nth(least.size() / 20), nth(least.size() / 2) };
 }
 
-// How much of the moves leaves the rim even, and the plane's triangles in shape. The rows inside give way
-// first.
-Shares affordable(const PlanarMesh& mesh, const Moves& wanted, const Context& context)
+// As much of what is wanted as leaves the plane's triangles in shape. The rows inside give way first.
+std::vector<Vector2> affordable(const PlanarMesh& mesh, const Rows& rows, const Context& context)
 {
-  const std::vector<std::array<int, 3>> row = firstRow(mesh, wanted.first);
-  const Angles rest = anglesOf(mesh, wanted, { 0.0, 0.0 }, context);
+  const Angles rest = anglesOf(mesh, movesOf(rows, { 0.0, 0.0 }), context);
   const auto kept = [](double asked, double before) { return before >= asked ? asked : narrower * before; };
-  const auto inShape = [&](const Shares& shares)
+  std::vector<Shares> tries;
+  for (int step = steps; step >= leastInside; --step)
   {
-    const Angles now = anglesOf(mesh, wanted, shares, context);
-    return now.low >= kept(fewest, rest.low) && now.half >= kept(middle, rest.half);
-  };
-  for (int step = steps; step >= 0; --step)
+    tries.push_back({ 1.0, static_cast<double>(step) / steps });
+  }
+  for (int step = steps - 1; step >= 0; --step)
   {
-    const Shares shares{ 1.0, static_cast<double>(step) / steps };
-    if (bendsEvenly(row, wanted, shares) && inShape(shares))
+    const double share = static_cast<double>(step) / steps;
+    tries.push_back({ share, share * leastInside / steps });
+  }
+  std::vector<Vector2> moves;
+  for (const Shares& shares : tries)
+  {
+    moves = movesOf(rows, shares);
+    const Angles now = anglesOf(mesh, moves, context);
+    if (now.low >= kept(fewest, rest.low) && now.half >= kept(middle, rest.half))
     {
-      return shares;
+      break;
     }
   }
-  for (int step = steps; step > 0; --step)
-  {
-    const Shares shares{ static_cast<double>(step) / steps, 0.0 };
-    if (inShape(shares))
-    {
-      return shares;
-    }
-  }
-  return { 0.0, 0.0 };
+  return moves;
 }
 
 } // namespace
@@ -252,17 +254,15 @@ PlanarMesh unstretch(const PlanarMesh& mesh,
   {
     return mesh;
   }
-  const Moves toRim = wanted(mesh, maps, context);
-  const Shares shares = affordable(mesh, toRim, context);
+  const std::vector<Vector2> moves = affordable(mesh, rowsOf(mesh, maps, context), context);
   const double longest = maps.distance.frame.spacing * maps.distance.frame.width;
   const double least = flat * longest * longest;
   SubdividedMesh level;
   level.mesh = mesh;
   for (int i = 0; i < static_cast<int>(mesh.points.size()); ++i)
   {
-    const Vector2 move = shares.of(toRim, i) * toRim.moves[i];
-    level.smooth.push_back(mesh.points[i].place + move);
-    level.free.push_back(move != Vector2::Zero());
+    level.smooth.push_back(mesh.points[i].place + moves[i]);
+    level.free.push_back(moves[i] != Vector2::Zero());
   }
   keepUpright(level, least, {}, context);
   for (std::size_t i = 0; i < mesh.points.size() && report; ++i)
