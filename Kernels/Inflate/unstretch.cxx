@@ -169,7 +169,7 @@ std::vector<Vector2> movesOf(const Rows& rows, const Shares& shares)
       {
         angle += angleAt(insideAt(v)) / static_cast<double>(beyond.size());
       }
-      to = std::min(rows.before[i], 1.0 - std::cos(firstAngle * angle));
+      to = std::min(evenAt(i), 1.0 - std::cos(firstAngle * angle));
       to = rows.before[i] + shares.first * rows.need[i] * (to - rows.before[i]);
     }
     moves.emplace_back((to - rows.before[i]) * rows.inward[i]);

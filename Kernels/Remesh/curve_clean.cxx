@@ -16,7 +16,7 @@ constexpr double narrowest = 20.0;           // if need be by a vertex less
 constexpr double leastGain = 0.1;            // degrees: smaller ones may go back and forth
 constexpr double largestShift = 0.1;         // how far a curve may move, of its new segment
 constexpr int mostRounds = 12;
-constexpr double longestReach = 1.8; // mean edges from a curve, beyond which vertices and triangles stay
+constexpr double longestReach = 1.9; // mean edges from a curve, beyond which vertices and triangles stay
 
 const double turnCosine = std::cos(15.0 / radian), featureCosine = std::cos(25.0 / radian);
 

@@ -86,7 +86,7 @@ InsertedCurves insertCurves(const Mesh& mesh,
 // Raises the angles of triangles at the curves that are under 24 degrees, in at most twelve rounds: of the
 // flips that are possible, and of the collapses that remove one under 20 degrees, as these take vertices
 // from coarse meshes, the one that raises the smallest angle that it touches most. Normals turn by at most
-// 15 degrees. Not touched are what lies more than 1.8 mean edges from curves, edges and ends of curves,
+// 15 degrees. Not touched are what lies more than 1.9 mean edges from curves, edges and ends of curves,
 // border vertices, and vertices on edges over 25 degrees; of a curve, vertices that were inserted go along
 // it, if it moves by at most a tenth of the new segment.
 void cleanAlongCurves(CurveMesh& mesh, const Context& context = Context());
