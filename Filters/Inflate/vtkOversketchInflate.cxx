@@ -2,6 +2,7 @@
 
 #include "Inflate/heights.h"
 #include "Inflate/inflate.h"
+#include "Inflate/swap_edges.h"
 #include "Inflate/unstretch.h"
 #include "Raster/grid_smoothing.h"
 #include "vtkOversketchDrawingTools.h"
@@ -227,9 +228,13 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
             cache.Maps, cache.Thickness, cache.Ratio, bySection ? Inflation::Section : Inflation::Ratio
           };
           const Context context = ContextOf(this, 0.9, 1.0);
-          const PlanarMesh moved = unstretched ? unstretch(planar, maps, context) : planar;
-          WriteSolid(
-            inflate(moved, heightsOf(moved, maps, section, this->HeightFactor, context)), mesh, result);
+          PlanarMesh moved = unstretched ? unstretch(planar, maps, context) : planar;
+          const std::vector<double> points = heightsOf(moved, maps, section, this->HeightFactor, context);
+          if (unstretched)
+          {
+            swapEdges(moved, points, maps, section, this->HeightFactor, context);
+          }
+          WriteSolid(inflate(moved, points), mesh, result);
         });
       heights->ShallowCopy(cache.Image);
     });

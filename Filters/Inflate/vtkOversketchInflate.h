@@ -10,9 +10,10 @@
  * which makes hoops and crumpled crests, so heights of the circle are those of a membrane under pressure,
  * which has no creases, multiplied by what varies slowly so that they are those of the greatest balls that
  * lie in the drawing (ProfileSmoothing); for other profiles D is smoothed over the inside
- * (LocalMaxSmoothing). And points beside the rim come closer to it, so that triangles there are even
- * (UnstretchedRims), which the paper names as future work. An option that is ours: Mode Poisson.
- * Kernels/Inflate/heights.h and unstretch.h and Kernels/Raster/grid_smoothing.h have the equations.
+ * (LocalMaxSmoothing). And points beside the rim come closer to it, so that triangles there are even, and
+ * edges that cut off the surface give way to others (UnstretchedRims), which the paper names as future work.
+ * An option that is ours: Mode Poisson. Kernels/Inflate/heights.h, unstretch.h and swap_edges.h and
+ * Kernels/Raster/grid_smoothing.h have the equations.
  *
  * Input 0 (Mesh): the drawing's mesh in the plane, triangles or quads, as vtkOversketchPlanarRefine puts it
  * out, holes trimmed; its point array BoundaryKind says what is a rim.
@@ -135,8 +136,9 @@ public:
   ///@{
   /**
    * Move points that lie on no stroke towards the rim before they are pushed out, so that triangles there are
-   * stretched less and the rim is round [default on; as published: off]. No triangle of the plane is turned
-   * over by it. Only where the surface begins upright: not of "linear" and of curves.
+   * stretched less and the rim is round, and swap edges that cut more than a pixel off the surface [default
+   * on; as published: off]. No triangle of the plane is turned over by it. Only where the surface begins
+   * upright: not of "linear" and of curves.
    */
   vtkSetMacro(UnstretchedRims, bool);
   vtkGetMacro(UnstretchedRims, bool);

@@ -4,6 +4,7 @@
 #include "Inflate/heights.h"
 #include "Inflate/inflate.h"
 #include "Inflate/solid_shape.h"
+#include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
 #include "Planar/guard.h"
@@ -11,6 +12,8 @@
 #include "Raster/grid_smoothing.h"
 
 #include <gtest/gtest.h>
+
+#include <map>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -53,12 +56,71 @@ Solid inflated(const UnitDrawing& drawing, const PlanarMesh& mesh, bool unstretc
     grid.profileRatio(roundSquares(drawing.maps, Context()), section.smoothing(), Context());
   const std::vector<float> thickness = roundThickness(drawing.maps, ratio);
   const HeightMaps maps{ drawing.maps, thickness, ratio, Inflation::Ratio };
-  const PlanarMesh moved = unstretched ? unstretch(mesh, maps, Context()) : mesh;
+  PlanarMesh moved = unstretched ? unstretch(mesh, maps, Context()) : mesh;
+  const std::vector<double> heights = heightsOf(moved, maps, section, 1.0, Context());
+  if (unstretched)
+  {
+    swapEdges(moved, heights, maps, section, 1.0, Context());
+  }
   EXPECT_TRUE(invertedFaces(moved, 0.0, Context()).empty());
-  return inflate(moved, heightsOf(moved, maps, section, 1.0, Context()));
+  return inflate(moved, heights);
+}
+
+// The mean angle between faces across the edges of a seam over that across those beside it that end off it:
+// of triangles with a corner on it.
+double rimBend(const Solid& solid)
+{
+  const auto onSeam = [&](int v) { return solid.points[v].side == 0; };
+  std::map<std::pair<int, int>, std::vector<std::pair<Vector3, bool>>> edges; // normals, whether at the seam
+  for (const SolidFace& face : solid.faces)
+  {
+    const auto& c = face.corners;
+    const Vector3& p = solid.points[c[0]].place;
+    const Vector3 normal = (solid.points[c[1]].place - p).cross(solid.points[c[2]].place - p).normalized();
+    const bool touches = onSeam(c[0]) || onSeam(c[1]) || onSeam(c[2]);
+    for (int k = 0; k < 3; ++k)
+    {
+      edges[std::minmax(c[k], c[(k + 1) % 3])].emplace_back(normal, touches);
+    }
+  }
+  double across = 0.0, beside = 0.0;
+  int acrossCount = 0, besideCount = 0;
+  for (const auto& [ends, faces] : edges)
+  {
+    const int on = onSeam(ends.first) + onSeam(ends.second);
+    const double angle = std::acos(std::clamp(faces[0].first.dot(faces[1].first), -1.0, 1.0));
+    if (on == 2)
+    {
+      across += angle;
+      ++acrossCount;
+    }
+    else if (on == 0 && (faces[0].second || faces[1].second))
+    {
+      beside += angle;
+      ++besideCount;
+    }
+  }
+  return across / acrossCount / (beside / besideCount);
 }
 
 } // namespace
+
+TEST(Drawings, RimsBendNoMoreThanWhatIsBesideThem)
+{
+  const std::vector<NamedDrawing> all = drawings();
+  double plain = 0.0, now = 0.0;
+  for (const int i : { 0, 2 })
+  {
+    const UnitDrawing drawing(all[i].strokes, all[i].treatments);
+    PlanarRefineOptions options;
+    options.levels = 3;
+    const PlanarMesh mesh = rebuilt(drawing, DeltaMode::Adaptive, options).result.mesh;
+    plain += 0.5 * rimBend(inflated(drawing, mesh, false));
+    now += 0.5 * rimBend(inflated(drawing, mesh, true));
+  }
+  EXPECT_GT(plain, 1.3);
+  EXPECT_LT(now, 1.2);
+}
 
 TEST(Drawings, BecomeClosedSurfaces)
 {

@@ -210,6 +210,17 @@ double MapReader::inner(const std::vector<float>& values, const Vector2& place, 
          cell.v * ((1.0 - cell.u) * at(0, 1) + cell.u * at(1, 1));
 }
 
+double MapReader::height(const Vector2& place, int object, const CrossSection& section) const
+{
+  const double distance = std::max(leastDistance, this->distance(place));
+  if (this->Maps.mode == Inflation::Ratio)
+  {
+    return std::sqrt(std::max(leastRatio, this->inner(this->Maps.ratio, place, object)) * distance);
+  }
+  const double thickness = std::max(leastDistance, this->inner(this->Maps.thickness, place, object));
+  return thickness * section(std::min(distance, thickness) / thickness);
+}
+
 std::vector<int> objectsOf(const PlanarMesh& mesh)
 {
   std::vector<int> objects(mesh.points.size(), -1);
@@ -257,16 +268,7 @@ std::vector<double> heightsOf(const PlanarMesh& mesh,
           continue;
         }
         const Vector2 at = frame.toPixels(mesh.points[i].place);
-        const double distance = std::max(leastDistance, reader.distance(at));
-        const double scale = frame.spacing * factor;
-        if (maps.mode == Inflation::Ratio)
-        {
-          const double ratio = std::max(leastRatio, reader.inner(maps.ratio, at, objects[i]));
-          heights[i] = scale * std::sqrt(ratio * distance);
-          continue;
-        }
-        const double thickness = std::max(leastDistance, reader.inner(maps.thickness, at, objects[i]));
-        heights[i] = scale * thickness * section(std::min(distance, thickness) / thickness);
+        heights[i] = frame.spacing * factor * reader.height(at, objects[i], section);
       }
     });
   context.checkpoint(1.0);

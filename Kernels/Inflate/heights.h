@@ -57,6 +57,8 @@ public:
   // Values that mean nothing where T is 0, bilinearly: there those of the object's nearest inner sample count
   // (of any object for -1), 0 when none is within 16 px.
   double inner(const std::vector<float>& values, const Vector2& place, int object) const;
+  // The height [px] of k_z = 1 off the rim, see heightsOf.
+  double height(const Vector2& place, int object, const CrossSection& section) const;
 
 private:
   struct Cell;

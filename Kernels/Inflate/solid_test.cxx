@@ -3,8 +3,10 @@
 #include "Inflate/extrude.h"
 #include "Inflate/inflation_chain.h"
 #include "Inflate/solid_shape.h"
+#include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
+#include "Planar/face_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -506,4 +508,52 @@ TEST(Unstretch, TurnsNoFaceAndMovesNoStroke)
       }
     }
   }
+}
+
+TEST(SwapEdges, TakeTheDiagonalAlongARoundRim)
+{
+  // On a half ball of radius 400 the diagonal from 398 px off its axis to 300 lies far below, that across
+  // not.
+  const std::vector<Circle> circles{ { 400.0, BoundaryKind::Object } };
+  Chain chain(rimsOf(centre, circles), true);
+  PlanarMesh mesh;
+  for (const Vector2& place : { Vector2(398, 0), Vector2(300, 0), Vector2(360, 40), Vector2(360, -40) })
+  {
+    mesh.points.emplace_back();
+    mesh.points.back().place = centre + place;
+  }
+  for (const std::array<int, 4>& corners : { std::array<int, 4>{ 0, 2, 1, -1 }, { 0, 1, 3, -1 } })
+  {
+    mesh.faces.emplace_back();
+    mesh.faces.back().corners = corners;
+    mesh.faces.back().object = 0;
+  }
+  const auto swapped = [&](PlanarMesh& given)
+  {
+    const std::vector<double> heights = chain.heights(given);
+    return chain.withMaps(Context(),
+      [&](const HeightMaps& maps) { return swapEdges(given, heights, maps, chain.section, 1.0, Context()); });
+  };
+  const auto has = [](const PlanarMesh& given, int a, int b)
+  {
+    return std::all_of(given.faces.begin(),
+      given.faces.end(),
+      [&](const PlanarFace& face)
+      {
+        const auto& c = face.corners;
+        return std::find(c.begin(), c.end(), a) != c.end() && std::find(c.begin(), c.end(), b) != c.end();
+      });
+  };
+  PlanarMesh stays = mesh;
+  stays.points[0].kind = stays.points[1].kind = BoundaryKind::Feature;
+  EXPECT_EQ(swapped(stays), 0); // an edge of a stroke
+  EXPECT_TRUE(has(stays, 0, 1));
+  EXPECT_EQ(swapped(mesh), 1);
+  EXPECT_TRUE(has(mesh, 2, 3));
+  for (const PlanarFace& face : mesh.faces)
+  {
+    const auto at = [&](int k) { return mesh.points[face.corners[k]].place; };
+    EXPECT_GT(signedArea(at(0), at(1), at(2)), 0.0);
+  }
+  EXPECT_EQ(swapped(mesh), 0);
 }

@@ -17,9 +17,11 @@ struct UnstretchReport
 // specification of image-assisted modelling gives the rule: along -grad T from d to D (1 - cos(pi u / 2)), u
 // = d / D, which puts points evenly on a circular cross-section. Only points that lie on no stroke move. D is
 // the maps' thickness, d = min(T, D). Ours: no point moves where edges are shorter than D / 40, as the rim is
-// smooth there, and from D / 10 on in full; and all move only so far that the least angles of the plane's
-// triangles stay above 10.4 degrees, but for a twentieth of them, and half of them above 35: even triangles
-// of a steep surface are narrow in the plane.
+// smooth there, and from D / 10 on in full; and points that an edge joins to a rim go to 0.53 of the mean
+// angle of the points beyond them where that is nearer, but for 4 % of the way, as the rim bends by the
+// first row's angle and what is beside it by half of the second's. All move only so far that the least
+// angles of the plane's triangles stay above 10.4 degrees, but for a twentieth of them, and half of them
+// above 35, the inner rows giving way first: even triangles of a steep surface are narrow in the plane.
 //
 // Guarded as the refinement is, see guard.h: no face is turned over by it. One that was turned before stays
 // so. The same for any number of threads.
