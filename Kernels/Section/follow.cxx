@@ -25,7 +25,9 @@ int nearestEnd(const std::vector<Vector3>& curve, const Vector3& point)
     const Vector3 step = curve[i] - curve[i - 1], from = point - curve[i - 1];
     const double length2 = step.squaredNorm();
     const double share = length2 > 0.0 ? std::clamp(from.dot(step) / length2, 0.0, 1.0) : 0.0;
-    if ((from - share * step).squaredNorm() < least)
+    // Off an end itself, rounding would say which is nearer.
+    const bool atEnd = (i == 1 && share == 0.0) || (i + 1 == curve.size() && share == 1.0);
+    if (!atEnd && (from - share * step).squaredNorm() < least)
     {
       return 0;
     }

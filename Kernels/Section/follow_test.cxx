@@ -66,6 +66,32 @@ TEST(Follow, RoundAnEndTheSidesAreMixed)
   EXPECT_GT(past, 4);
 }
 
+// The end itself is as near by the last segment as by its point, but for rounding.
+TEST(Follow, PastAnEndAllSidesAreMixed)
+{
+  std::vector<Vector3> curve, points;
+  for (int i = 0; i < 10; ++i)
+  {
+    curve.push_back(Vector3(-0.94, -1.87, -1.88) + pi / 30.0 * i * Vector3(1.0, 2.0, 2.0));
+  }
+  const CurveFrames frames(curve, std::vector<Vector3>(curve.size(), Vector3(2.0, 1.0, -2.0) / 3.0));
+  const CurveFrame end = frames.at(1.0);
+  RegionPlaces region;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double angle = pi * (i + 0.5) / 500.0;
+    points.push_back(
+      curve.back() + 0.1 * (1.0 + i % 7) * (std::cos(angle) * end.side + std::sin(angle) * end.along));
+    region.vertices.push_back(i);
+    region.side.push_back(std::cos(angle) > 0.0 ? 1.0 : -1.0);
+  }
+  const std::vector<double> shares = sideShares(points, region, curve, frames, {});
+  for (int i = 0; i < 500; ++i)
+  {
+    EXPECT_NEAR(shares[i], 0.5 * (1.0 + std::cos(pi * (i + 0.5) / 500.0)), 1e-9);
+  }
+}
+
 // Also where the place of the curve that a vertex lies beside is another one: the section would not be what
 // was drawn.
 TEST(Follow, WhatThePlaneCutsStaysInIt)
