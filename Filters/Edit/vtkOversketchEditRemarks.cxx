@@ -48,6 +48,22 @@ Vector3 placeAt(vtkPolyData* line, vtkDataArray* values, double value)
   return (1.0 - share) * Vector3(line->GetPoint(after - 1)) + share * Vector3(line->GetPoint(after));
 }
 
+// Whether a flat place lies on the inner side of a flat section, whose outside is up.
+bool isInward(vtkPolyData* section, const double* place)
+{
+  bool inward = false;
+  for (vtkIdType i = 1; i < section->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 p(section->GetPoint(i - 1)), q(section->GetPoint(i));
+    if ((p[0] <= place[0]) != (q[0] <= place[0]))
+    {
+      const double y = p[1] + (place[0] - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
+      inward = inward != (y > place[1]);
+    }
+  }
+  return inward;
+}
+
 } // namespace
 
 int FoldsIn(vtkPolyData* mesh)
@@ -146,20 +162,28 @@ double DepthInThickness(vtkPolyData* section, vtkPolyData* drawn, vtkPolyData* g
   double deepest = 0.0;
   for (vtkIdType i = 0; i < drawn->GetNumberOfPoints(); ++i)
   {
-    const Vector3 from = inWorld(placeAt(section, places, sources->GetComponent(i, 0)));
-    const Vector3 way = inWorld(Vector3(drawn->GetPoint(i))) - from;
-    const double depth = way.norm();
-    const SurfaceHit start =
-      rays->closest(from); // the section is fitted, and lies a little beside the surface
-    if (!start.found() || !(facetNormal(rays->mesh(), start.at.triangle).dot(way) <
-                            -leastInward * depth)) // outward, or along it
+    if (!isInward(section, drawn->GetPoint(i)))
     {
       continue;
     }
-    for (const SurfaceHit& hit : rays->all({ start.position, way }))
+    const Vector3 from = inWorld(placeAt(section, places, sources->GetComponent(i, 0)));
+    const Vector3 way = inWorld(Vector3(drawn->GetPoint(i))) - from;
+    const SurfaceHit start =
+      rays->closest(from); // the section is fitted, and lies a little beside the surface
+    if (!start.found())
+    {
+      continue;
+    }
+    const Vector3 inward = -facetNormal(rays->mesh(), start.at.triangle);
+    const double depth = inward.dot(way);
+    if (!(depth > leastInward * way.norm())) // outward, or along it
+    {
+      continue;
+    }
+    for (const SurfaceHit& hit : rays->all({ start.position, inward }))
     {
       if (hit.distance > rounding * rays->diagonal() &&
-          facetNormal(rays->mesh(), hit.at.triangle).dot(way) > 0.0)
+          facetNormal(rays->mesh(), hit.at.triangle).dot(inward) > 0.0)
       {
         deepest = std::max(deepest, depth / hit.distance);
         break;

@@ -17,9 +17,9 @@ int FoldsIn(vtkPolyData* mesh);
 // Pairs of triangles that pass through each other, of which one at least is of an edit's region.
 int CrossingsIn(vtkPolyData* mesh, const Context& context);
 
-// How deep a profile that was drawn anew goes into the model, over how thick that is there; 0 where it comes
-// out nowhere. section: flat, with field array ProfileMatrix and point array CurveT; drawn: what it became,
-// with SourceT; ground: the model.
+// How deep a profile that was drawn anew goes into the model, square to the surface, over how thick that is
+// there; 0 where it comes out nowhere. section: flat, with field array ProfileMatrix and point array CurveT;
+// drawn: what it became, with SourceT; ground: the model.
 double DepthInThickness(vtkPolyData* section,
   vtkPolyData* drawn,
   vtkPolyData* ground,

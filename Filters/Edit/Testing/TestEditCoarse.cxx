@@ -302,7 +302,7 @@ TEST(EditCoarse, ForARingThatEnclosesNearlyAllOneThatDoesIsTold)
 TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
 {
   EditSystem s(legs(), upright(200.0, 260.0, 340.0), ellipse(200.0, 300.0, 38.0, 75.0));
-  const auto drawn = [](double deep)
+  const auto drawn = [](double deep, double lean = 0.0)
   {
     auto profile = vtkSmartPointer<vtkPolyData>::New();
     vtkNew<vtkPoints> points;
@@ -310,8 +310,8 @@ TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
     lines->InsertNextCell(41);
     for (int i = 0; i <= 40; ++i)
     {
-      lines->InsertCellPoint(
-        points->InsertNextPoint(i / 40.0, -deep * std::pow(std::sin(pi * i / 40.0), 2.0), 0.0));
+      const double hump = std::pow(std::sin(pi * i / 40.0), 2.0);
+      lines->InsertCellPoint(points->InsertNextPoint(i / 40.0 - lean * hump, -deep * hump, 0.0));
     }
     profile->SetPoints(points);
     profile->SetLines(lines);
@@ -329,6 +329,11 @@ TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
   s.filter->SetProfileData(drawn(0.3));
   s.run();
   EXPECT_EQ(std::string(s.filter->GetRemark()), "");
+  // What leans over outside of the leg is not deep in it, though the ways there lead through it.
+  s.filter->SetProfileData(drawn(-0.3, 2.0));
+  s.filter->Update();
+  EXPECT_EQ(s.filter->GetErrorCode(), 0);
+  EXPECT_NE(std::string(s.filter->GetRemark()).find("pass through itself"), std::string::npos);
 }
 
 // A ring over a thigh, whose hidden way could lead round the rest of the dog as well.
