@@ -1,6 +1,7 @@
 // Which of several strokes act at once.
 #include "vtkOversketchAugmentPipeline.h"
 
+#include "Mesh/nearest.h"
 #include "Mesh/pixel.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchStrokeView.h"
@@ -16,14 +17,6 @@ using namespace oversketch;
 namespace
 {
 
-double DistanceToSegment(const Vector2& p, const Vector2& a, const Vector2& b)
-{
-  const Vector2 along = b - a;
-  const double square = along.squaredNorm();
-  const double t = square > 0.0 ? std::clamp((p - a).dot(along) / square, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
 // How near two segments come, 0 where they cross.
 double Apart(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d)
 {
@@ -33,10 +26,10 @@ double Apart(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2
   {
     return 0.0;
   }
-  return std::min({ DistanceToSegment(a, c, d),
-    DistanceToSegment(b, c, d),
-    DistanceToSegment(c, a, b),
-    DistanceToSegment(d, a, b) });
+  return std::min({ distanceToSegment(a, c, d),
+    distanceToSegment(b, c, d),
+    distanceToSegment(c, a, b),
+    distanceToSegment(d, a, b) });
 }
 
 std::size_t SegmentCount(const DrawnLine& line)

@@ -1,5 +1,6 @@
 #include "vtkOversketchEditLimb.h"
 
+#include "Mesh/nearest.h"
 #include "Remesh/limb_runs.h"
 #include "vtkOversketchEditRegion.h"
 #include "vtkOversketchSharedMesh.h"
@@ -149,10 +150,7 @@ double ShareSeen(vtkPolyData* ring, vtkPolyData* seen, double reach)
       {
         for (std::size_t i = 1; i < run.points.size(); ++i)
         {
-          const Vector3 step = run.points[i] - run.points[i - 1], from = p - run.points[i - 1];
-          const double share =
-            step.squaredNorm() > 0.0 ? std::clamp(from.dot(step) / step.squaredNorm(), 0.0, 1.0) : 0.0;
-          if ((from - share * step).norm() <= reach)
+          if (distanceToSegment(p, run.points[i - 1], run.points[i]) <= reach)
           {
             return true;
           }

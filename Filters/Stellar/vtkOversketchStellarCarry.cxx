@@ -1,5 +1,6 @@
 #include "vtkOversketchStellarCarry.h"
 
+#include "Mesh/nearest.h"
 #include "Mesh/rotation.h"
 #include "Stellar/distance.h"
 #include "Stellar/leaves.h"
@@ -102,12 +103,12 @@ Binding PlaceInStar(const Forest& forest, int v, const Vector3& p)
       const int* corners = forest.faces[f].v;
       const Vector3 &a = forest.vertices[corners[0]].position, &b = forest.vertices[corners[1]].position,
                     &c = forest.vertices[corners[2]].position;
-      const Vector3 w = nearestWeights(p, a, b, c);
+      const std::array<double, 3> w = closestWeights(a, b, c, p);
       const double distance = (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
       if (distance < least)
       {
         least = distance;
-        best = { { corners[0], corners[1], corners[2] }, { w[0], w[1], w[2] } };
+        best = { { corners[0], corners[1], corners[2] }, w };
       }
     });
   return best;

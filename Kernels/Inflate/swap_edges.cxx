@@ -1,5 +1,6 @@
 #include "Inflate/swap_edges.h"
 
+#include "Mesh/shape.h"
 #include "Planar/face_edges.h"
 
 #include <algorithm>
@@ -10,19 +11,9 @@ namespace oversketch
 namespace
 {
 
-constexpr double leastGain = 1.0;    // px
-constexpr double narrow = 0.5235988; // pi / 6
-constexpr double leastArea = 1e-3;   // px^2
-
-double leastAngle(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const auto angle = [](const Vector3& at, const Vector3& from, const Vector3& to)
-  {
-    const Vector3 u = from - at, v = to - at;
-    return std::atan2(u.cross(v).norm(), u.dot(v));
-  };
-  return std::min({ angle(a, b, c), angle(b, c, a), angle(c, a, b) });
-}
+constexpr double leastGain = 1.0;  // px
+constexpr double narrow = 0.25;    // of 30 degrees
+constexpr double leastArea = 1e-3; // px^2
 
 // A triangle's edge.
 struct Side
@@ -165,11 +156,11 @@ private:
       return signedArea(this->Mesh.points[p].place, this->Mesh.points[q].place, this->Mesh.points[r].place);
     };
     const double least = leastArea * this->Raster.spacing * this->Raster.spacing;
-    const auto angle = [&](int p, int q, int r)
-    { return leastAngle(this->Places[p], this->Places[q], this->Places[r]); };
+    const auto shape = [&](int p, int q, int r)
+    { return narrowness(this->Places[p], this->Places[q], this->Places[r]); };
     // Where faces overlap, c and d may be joined already.
     return area(a, d, c) > least && area(d, b, c) > least &&
-           std::min(angle(a, d, c), angle(d, b, c)) >= std::min({ narrow, angle(a, b, c), angle(b, a, d) }) &&
+           std::min(shape(a, d, c), shape(d, b, c)) >= std::min({ narrow, shape(a, b, c), shape(b, a, d) }) &&
            !std::binary_search(this->Sides.begin(), this->Sides.end(), Side{ std::minmax(c, d), 0 }, byEnds);
   }
 

@@ -1,6 +1,8 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
+#include "Mesh/nearest.h"
 #include "Mesh/rotation.h"
+#include "Mesh/shape.h"
 #include "Mesh/view.h"
 
 #include <gtest/gtest.h>
@@ -126,4 +128,55 @@ TEST(Rotation, TakesOneDirectionToTheOtherThePlainWay)
     const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
     EXPECT_NEAR(2.0 * std::atan2(rotation.vec().norm(), rotation.w()), angle, 1e-6);
   }
+}
+
+// No place of the triangle is nearer, from wherever the corners are counted and far from the origin.
+TEST(Nearest, PlaceOfATriangleIsTheNearestOfAll)
+{
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> share;
+  const auto any = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector3 a = any(), b = any(), c = i % 5 == 0 ? Vector3(0.5 * (a + b)) : any(), p = 2.0 * any();
+    const double least = std::sqrt(squaredDistance(a, b, c, p));
+    const double digits = i % 5 == 0 ? 1e-5 : 1e-12; // half of them without area
+    EXPECT_NEAR(std::sqrt(squaredDistance(b, c, a, p)), least, digits);
+    const Vector3 far(4.6e6, -1e6, 3e5);
+    EXPECT_NEAR(
+      std::sqrt(squaredDistance(a + far, b + far, c + far, p + far)), least, std::max(1e-8, digits));
+    EXPECT_LE(least, distanceToSegment(p, a, b) + digits);
+    for (int k = 0; k < 50; ++k)
+    {
+      double v = share(random), w = share(random);
+      if (v + w > 1.0)
+      {
+        v = 1.0 - v;
+        w = 1.0 - w;
+      }
+      EXPECT_LE(least, (a + v * (b - a) + w * (c - a) - p).norm() + digits);
+      EXPECT_LE(distanceToSegment(p, a, b), (a + v * (b - a) - p).norm() + 1e-12);
+    }
+  }
+}
+
+TEST(Shape, SmallestAngleIsThatBetweenEdges)
+{
+  std::mt19937 random(8);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vector3(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 500; ++i)
+  {
+    const Vector3 t[3] = { any(), any(), any() };
+    double least = 4.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 u = t[(k + 1) % 3] - t[k], v = t[(k + 2) % 3] - t[k];
+      least = std::min(least, std::atan2(u.cross(v).norm(), u.dot(v)));
+    }
+    EXPECT_NEAR(smallestAngle(t[0], t[1], t[2]), least, 1e-7);
+  }
+  EXPECT_EQ(narrowness(Vector3::Zero(), Vector3::UnitX(), Vector3(3.0, 0.0, 0.0)), 0.0);
+  EXPECT_EQ(narrowness(Vector3::Zero(), Vector3::Zero(), Vector3::UnitX()), 0.0);
 }

@@ -1,13 +1,30 @@
-// The point of a triangle that is nearest to another one.
+// The places of a segment and of a triangle that are nearest to a point.
 #ifndef oversketch_kernels_mesh_nearest_h
 #define oversketch_kernels_mesh_nearest_h
 
 #include "Mesh/mesh.h"
 
+#include <algorithm>
 #include <array>
 
 namespace oversketch
 {
+
+// The share of the way along a segment of its place nearest to a point, from the begin of which that lies at
+// `offset`; 0 for a segment of no length.
+template <typename Offset, typename Along>
+double nearestShare(const Eigen::MatrixBase<Offset>& offset, const Eigen::MatrixBase<Along>& along)
+{
+  const double square = along.squaredNorm();
+  return square > 0.0 ? std::clamp(offset.dot(along) / square, 0.0, 1.0) : 0.0;
+}
+
+template <typename Vector>
+double distanceToSegment(const Vector& p, const Vector& a, const Vector& b)
+{
+  const Vector offset = p - a, along = b - a;
+  return (offset - nearestShare(offset, along) * along).norm();
+}
 
 // Barycentric weights of the point of triangle (a, b, c) nearest to p: by the Voronoi region of the triangle
 // that p falls in, corners, then edges, then the inside.
@@ -59,10 +76,11 @@ inline std::array<double, 3> closestWeights(const Vector3& a,
   return { 1.0 - v - w, v, w };
 }
 
+// Far from the origin, too, no digits are lost.
 inline double squaredDistance(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p)
 {
   const std::array<double, 3> w = closestWeights(a, b, c, p);
-  return (w[0] * a + w[1] * b + w[2] * c - p).squaredNorm();
+  return (w[1] * (b - a) + w[2] * (c - a) - (p - a)).squaredNorm();
 }
 
 } // namespace oversketch

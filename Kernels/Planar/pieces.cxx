@@ -1,5 +1,6 @@
 #include "Planar/pieces.h"
 
+#include "Mesh/nearest.h"
 #include "Planar/corners.h"
 
 #include <algorithm>
@@ -26,14 +27,6 @@ int farthestFrom(const Vector2& place, const Polyline& samples)
 }
 
 } // namespace
-
-double toSegment(const Vector2& place, const Vector2& from, const Vector2& to)
-{
-  const Vector2 way = to - from, offset = place - from;
-  const double square = way.squaredNorm();
-  const double t = square > 0.0 ? std::clamp(offset.dot(way) / square, 0.0, 1.0) : 0.0;
-  return (offset - t * way).norm();
-}
 
 PieceList::PieceList(Polyline samples,
   const DrawnStroke& drawn,
@@ -178,7 +171,8 @@ PieceList::Farthest PieceList::farthest(const Piece& piece) const
   Farthest result;
   for (int i = piece.from + 1; i < piece.to; ++i)
   {
-    const double distance = toSegment(this->sample(i), this->sample(piece.from), this->sample(piece.to));
+    const double distance =
+      distanceToSegment(this->sample(i), this->sample(piece.from), this->sample(piece.to));
     if (result.sample < 0 || distance > result.distance)
     {
       result = { i, distance };
@@ -242,7 +236,7 @@ void PieceList::makeRoom(const Vector2& place, double share, double least)
     const Piece& piece = this->Pieces[i];
     const Vector2 &from = this->sample(piece.from), &to = this->sample(piece.to);
     const double length = (to - from).norm();
-    if (length > least && piece.to - piece.from > 1 && toSegment(place, from, to) < share * length)
+    if (length > least && piece.to - piece.from > 1 && distanceToSegment(place, from, to) < share * length)
     {
       this->split(static_cast<int>(i), this->middle(piece));
       this->settle(static_cast<int>(i), static_cast<int>(i) + 2);

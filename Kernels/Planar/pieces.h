@@ -7,8 +7,6 @@
 namespace oversketch
 {
 
-double toSegment(const Vector2& place, const Vector2& from, const Vector2& to);
-
 // From one vertex to the next, numbers of samples; on a closed stroke `to` may be past its last one, by whole
 // turns.
 struct Piece

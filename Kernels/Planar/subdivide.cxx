@@ -1,5 +1,6 @@
 #include "Planar/subdivide.h"
 
+#include "Mesh/nearest.h"
 #include "Planar/divided_edges.h"
 #include "Planar/pieces.h"
 
@@ -291,7 +292,7 @@ double StrokeByLength::farthest(double start, double end, const Vector2& a, cons
     for (; at != this->Lengths.end() && *at < end - turn; ++at)
     {
       const std::size_t sample = (at - this->Lengths.begin()) % this->Stroke.points.size();
-      most = std::max(most, toSegment(this->Stroke.points[sample], a, b));
+      most = std::max(most, distanceToSegment(this->Stroke.points[sample], a, b));
     }
   }
   return most;

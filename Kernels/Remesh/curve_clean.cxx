@@ -1,5 +1,8 @@
 #include "Remesh/insert_curves.h"
 
+#include "Mesh/nearest.h"
+#include "Mesh/shape.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -20,16 +23,9 @@ constexpr double longestReach = 1.9; // mean edges from a curve, beyond which ve
 
 const double turnCosine = std::cos(15.0 / radian), featureCosine = std::cos(25.0 / radian);
 
-double smallestAngleOf(const Vector3& a, const Vector3& b, const Vector3& c)
+double degreesOf(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector3 corners[3] = { a, b, c };
-  double smallest = 180.0;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 p = corners[(k + 1) % 3] - corners[k], q = corners[(k + 2) % 3] - corners[k];
-    smallest = std::min(smallest, std::atan2(p.cross(q).norm(), p.dot(q)) * radian);
-  }
-  return smallest;
+  return smallestAngle(a, b, c) * radian;
 }
 
 // Whether a vector along a normal is within an angle of another one.
@@ -126,7 +122,7 @@ private:
   double angleOf(int t) const
   {
     const Triangle& c = this->Mesh.triangle(t);
-    return smallestAngleOf(this->Mesh.point(c[0]), this->Mesh.point(c[1]), this->Mesh.point(c[2]));
+    return degreesOf(this->Mesh.point(c[0]), this->Mesh.point(c[1]), this->Mesh.point(c[2]));
   }
 
   bool improve(int t)
@@ -204,7 +200,7 @@ private:
       return;
     }
     const double least = std::min(this->angleOf(both[0]), this->angleOf(both[1]));
-    const double gain = std::min(smallestAngleOf(pa, pd, pc), smallestAngleOf(pb, pc, pd)) - least;
+    const double gain = std::min(degreesOf(pa, pd, pc), degreesOf(pb, pc, pd)) - least;
     if (gain > best.gain && (this->inReach(a) || this->inReach(b) || (this->inReach(c) && this->inReach(d))))
     {
       best = { true, a, b, gain };
@@ -263,8 +259,8 @@ private:
         return false;
       }
       const Vector3 &p = this->Mesh.point(before), step = this->Mesh.point(after) - p;
-      const double t = std::clamp((this->Mesh.point(from) - p).dot(step) / step.squaredNorm(), 0.0, 1.0);
-      return (this->Mesh.point(from) - p - t * step).norm() <= largestShift * step.norm();
+      return distanceToSegment(this->Mesh.point(from), p, this->Mesh.point(after)) <=
+             largestShift * step.norm();
     }
     return false;
   }
@@ -307,7 +303,7 @@ private:
       {
         return;
       }
-      after = std::min(after, smallestAngleOf(p, q, r));
+      after = std::min(after, degreesOf(p, q, r));
       if (after - before <= best.gain)
       {
         return;

@@ -2,9 +2,9 @@
 #ifndef oversketch_kernels_remesh_shape_h
 #define oversketch_kernels_remesh_shape_h
 
+#include "Mesh/shape.h"
 #include "Remesh/patch.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace oversketch
@@ -17,15 +17,6 @@ inline bool turned(const Vector3& before, const Vector3& after)
   constexpr double limit = 0.25; // square of the cosine
   const double dot = before.dot(after);
   return dot < 0.0 || dot * dot < limit * (before.squaredNorm() * after.squaredNorm());
-}
-
-// Sine squared of the smallest angle; cross is twice the area times the normal.
-inline double narrowness(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& cross)
-{
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double shortest = std::min({ ab, bc, ca });
-  const double others = ab == shortest ? bc * ca : bc == shortest ? ab * ca : ab * bc;
-  return others > 0.0 ? cross.squaredNorm() / others : 0.0;
 }
 
 // How sharply folded an edge is: one over 100 degrees weighs more than all edges over 90 together, so that no

@@ -2,6 +2,7 @@
 
 #include "Matrix/operations.h"
 #include "Mesh/context.h"
+#include "Mesh/nearest.h"
 
 #include <algorithm>
 #include <atomic>
@@ -23,8 +24,7 @@ int nearestEnd(const std::vector<Vector3>& curve, const Vector3& point)
   for (std::size_t i = 1; i < curve.size(); ++i)
   {
     const Vector3 step = curve[i] - curve[i - 1], from = point - curve[i - 1];
-    const double length2 = step.squaredNorm();
-    const double share = length2 > 0.0 ? std::clamp(from.dot(step) / length2, 0.0, 1.0) : 0.0;
+    const double share = nearestShare(from, step);
     // Off an end itself, rounding would say which is nearer.
     const bool atEnd = (i == 1 && share == 0.0) || (i + 1 == curve.size() && share == 1.0);
     if (!atEnd && (from - share * step).squaredNorm() < least)

@@ -1,5 +1,6 @@
 #include "Silhouette/effect.h"
 
+#include "Mesh/nearest.h"
 #include "Silhouette/outline.h"
 
 #include <algorithm>
@@ -58,12 +59,9 @@ double distanceToHull(const Vector2& p, const Polyline& hull)
   double nearest = (p - hull[0]).norm();
   for (std::size_t i = 0; i < hull.size(); ++i)
   {
-    const Vector2& a = hull[i];
-    const Vector2 along = hull[(i + 1) % hull.size()] - a;
-    inside = inside && crossOf(along, p - a) >= 0.0;
-    const double squared = along.squaredNorm();
-    const double t = squared > 0.0 ? std::clamp(along.dot(p - a) / squared, 0.0, 1.0) : 0.0;
-    nearest = std::min(nearest, (p - a - t * along).norm());
+    const Vector2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
+    inside = inside && crossOf(b - a, p - a) >= 0.0;
+    nearest = std::min(nearest, distanceToSegment(p, a, b));
   }
   return inside ? 0.0 : nearest;
 }

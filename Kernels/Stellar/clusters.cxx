@@ -1,8 +1,10 @@
 #include "Stellar/clusters.h"
 
 #include "Mesh/context.h"
+#include "Mesh/nearest.h"
 #include "Stellar/defects.h"
 #include "Stellar/distance.h"
+#include "Stellar/quality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,7 @@ namespace
 
 const double featureCosine = std::sqrt(0.5); // 45 degrees
 constexpr double straightCosine = 0.996;     // 5 degrees: a boundary that turns by less is straight
-const double needleCosine = std::cos(15.0 * std::acos(-1.0) / 180.0);
+const double leastNarrowness = squaredSine(15.0);
 
 struct Ring
 {
@@ -30,15 +32,9 @@ Vector3 normalOf(const std::vector<Vector3>& points, const Triangle& t)
   return (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
 }
 
-double smallestCosineOf(const std::vector<Vector3>& points, const Triangle& t)
+double narrownessOf(const std::vector<Vector3>& points, const Triangle& t)
 {
-  double largest = -1.0; // the cosine of the smallest angle
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 x = points[t[(k + 1) % 3]] - points[t[k]], y = points[t[(k + 2) % 3]] - points[t[k]];
-    largest = std::max(largest, x.dot(y) / std::max(x.norm() * y.norm(), std::numeric_limits<double>::min()));
-  }
-  return largest;
+  return narrowness(points[t[0]], points[t[1]], points[t[2]]);
 }
 
 double flatArea(const Vector2& a, const Vector2& b, const Vector2& c)
@@ -216,14 +212,14 @@ private:
   // Whether no new face is narrower than what is allowed, or than the narrowest of the old ones.
   bool keepsAngles(const std::vector<Triangle>& made, const std::vector<int>& old) const
   {
-    double allowed = needleCosine;
+    double allowed = leastNarrowness;
     for (int f : old)
     {
-      allowed = std::max(allowed, smallestCosineOf(this->points(), this->Result.original.faces[f]));
+      allowed = std::min(allowed, narrownessOf(this->points(), this->Result.original.faces[f]));
     }
     return std::all_of(made.begin(),
       made.end(),
-      [&](const Triangle& t) { return smallestCosineOf(this->points(), t) <= allowed; });
+      [&](const Triangle& t) { return narrownessOf(this->points(), t) >= allowed; });
   }
 
   void replace(const std::vector<int>& old,
@@ -255,7 +251,7 @@ private:
   bool flipOne(int w, const Ring& ring)
   {
     const int n = static_cast<int>(ring.link.size());
-    double best = std::numeric_limits<double>::infinity();
+    double best = 0.0;
     std::vector<int> old;
     std::vector<std::pair<int, Vector2>> flat;
     std::vector<Triangle> made;
@@ -264,9 +260,9 @@ private:
       const int v = ring.link[i], before = ring.link[(i + n - 1) % n], after = ring.link[(i + 1) % n];
       const std::vector<Triangle> faces{ { w, before, after }, { before, v, after } };
       const std::vector<int> two{ ring.faces[(i + ring.size() - 1) % ring.size()], ring.faces[i] };
-      const double angle =
-        std::max(smallestCosineOf(this->points(), faces[0]), smallestCosineOf(this->points(), faces[1]));
-      if (angle >= best || this->Around[v].size() < 4 || this->hasEdge(before, after) ||
+      const double narrowest =
+        std::min(narrownessOf(this->points(), faces[0]), narrownessOf(this->points(), faces[1]));
+      if (narrowest <= best || this->Around[v].size() < 4 || this->hasEdge(before, after) ||
           !this->keepsSides(faces, two) || !this->keepsAngles(faces, two))
       {
         continue;
@@ -287,7 +283,7 @@ private:
       if (flatArea(laid[0].second, laid[2].second, laid[3].second) > least &&
           flatArea(laid[2].second, laid[1].second, laid[3].second) > least)
       {
-        best = angle;
+        best = narrowest;
         old = two;
         flat = laid;
         made = faces;
@@ -342,8 +338,8 @@ private:
         return std::numeric_limits<double>::infinity();
       }
       error = std::min(error,
-        distanceToTriangle(
-          this->points()[w], this->points()[t[0]], this->points()[t[1]], this->points()[t[2]]));
+        std::sqrt(squaredDistance(
+          this->points()[t[0]], this->points()[t[1]], this->points()[t[2]], this->points()[w])));
     }
     const bool sound = this->keepsSides(made, ring.faces) && this->keepsAngles(made, ring.faces);
     return sound ? error : std::numeric_limits<double>::infinity();

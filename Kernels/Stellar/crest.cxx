@@ -1,5 +1,6 @@
 #include "Stellar/crest.h"
 
+#include "Mesh/nearest.h"
 #include "Stellar/distance.h"
 
 #include <cmath>
@@ -27,7 +28,8 @@ Near nearIn(const Forest& forest, int f, const Vector3& at)
   const int* v = forest.faces[f].v;
   const Vector3 &a = forest.vertices[v[0]].position, &b = forest.vertices[v[1]].position,
                 &c = forest.vertices[v[2]].position;
-  const Vector3 w = nearestWeights(at, a, b, c);
+  const auto [wa, wb, wc] = closestWeights(a, b, c, at);
+  const Vector3 w(wa, wb, wc);
   return { f, w, (w[0] * a + w[1] * b + w[2] * c - at).norm() };
 }
 

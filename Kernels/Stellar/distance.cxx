@@ -51,58 +51,6 @@ double frontStep(double da, double db, const Vector3& toB, const Vector3& toV)
   return std::min(direct, db + (toV - toB).norm());
 }
 
-Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const auto onEdge = [&at](const Vector3& from, const Vector3& to)
-  {
-    const double square = (to - from).squaredNorm();
-    return square > 0.0 ? std::clamp((at - from).dot(to - from) / square, 0.0, 1.0) : 0.0;
-  };
-  const Vector3 normal = (b - a).cross(c - a);
-  const double area = normal.squaredNorm();
-  if (area > 0.0)
-  {
-    const double wb = (at - a).cross(c - a).dot(normal) / area;
-    const double wc = (b - a).cross(at - a).dot(normal) / area;
-    if (wb >= 0.0 && wc >= 0.0 && wb + wc <= 1.0)
-    {
-      return { 1.0 - wb - wc, wb, wc };
-    }
-  }
-  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
-  const Vector3 candidates[] = { { 1.0 - ab, ab, 0.0 }, { 0.0, 1.0 - bc, bc }, { ca, 0.0, 1.0 - ca } };
-  return *std::min_element(std::begin(candidates),
-    std::end(candidates),
-    [&](const Vector3& x, const Vector3& y)
-    {
-      return (x[0] * a + x[1] * b + x[2] * c - at).squaredNorm() <
-             (y[0] * a + y[1] * b + y[2] * c - at).squaredNorm();
-    });
-}
-
-double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c)
-{
-  const Vector3 x = a - p, y = c - p, d = at - p, n = x.cross(y);
-  const double square = n.squaredNorm();
-  if (square > 0.0)
-  {
-    const double u = d.cross(y).dot(n) / square, v = x.cross(d).dot(n) / square;
-    if (u >= 0.0 && v >= 0.0 && u + v <= 1.0)
-    {
-      return std::abs(n.dot(d)) / std::sqrt(square);
-    }
-  }
-  double best = std::numeric_limits<double>::infinity();
-  for (const auto& [from, to] : { std::make_pair(p, a), std::make_pair(a, c), std::make_pair(c, p) })
-  {
-    const Vector3 along = to - from;
-    const double length = along.squaredNorm();
-    const double t = length > 0.0 ? std::clamp(along.dot(at - from) / length, 0.0, 1.0) : 0.0;
-    best = std::min(best, (at - from - t * along).norm());
-  }
-  return best;
-}
-
 CurveReach::CurveReach(const Forest& forest, const CurveSearch& search, bool follows)
   : Mesh(forest)
   , Search(search)

@@ -106,11 +106,5 @@ double unfoldedDistance(double da, double db, double c, double vx, double vy);
 // passed b): unfolded, else along the shorter edge. to: the others seen from a.
 double frontStep(double da, double db, const Vector3& toB, const Vector3& toV);
 
-// Weights of a triangle's corners at its point nearest to a place.
-Vector3 nearestWeights(const Vector3& at, const Vector3& a, const Vector3& b, const Vector3& c);
-
-// The distance of a point from a triangle.
-double distanceToTriangle(const Vector3& at, const Vector3& p, const Vector3& a, const Vector3& c);
-
 } // namespace oversketch
 #endif

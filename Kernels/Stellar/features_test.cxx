@@ -1,4 +1,5 @@
 // Snapping and displacing on real meshes, one after the other.
+#include "Mesh/nearest.h"
 #include "Stellar/displace.h"
 #include "Stellar/face_quality.h"
 #include "Stellar/feature_shapes.h"
@@ -83,32 +84,6 @@ std::vector<Vector2> strokeNamed(const std::string& name)
   return stroke;
 }
 
-// Barycentric weights of the point of a triangle that is nearest to a point.
-Vector3 nearestWeights(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p)
-{
-  const auto onEdge = [&](const Vector3& x, const Vector3& y)
-  { return std::clamp((p - x).dot(y - x) / (y - x).squaredNorm(), 0.0, 1.0); };
-  const Vector3 normal = (b - a).cross(c - a);
-  const double v = (p - a).cross(c - a).dot(normal) / normal.squaredNorm();
-  const double w = (b - a).cross(p - a).dot(normal) / normal.squaredNorm();
-  if (v >= 0.0 && w >= 0.0 && v + w <= 1.0)
-    return { 1.0 - v - w, v, w };
-  Vector3 best = Vector3::UnitX();
-  double least = std::numeric_limits<double>::infinity();
-  const double ab = onEdge(a, b), bc = onEdge(b, c), ca = onEdge(c, a);
-  for (const Vector3& weights :
-    { Vector3(1.0 - ab, ab, 0.0), Vector3(0.0, 1.0 - bc, bc), Vector3(ca, 0.0, 1.0 - ca) })
-  {
-    const double d = (weights[0] * a + weights[1] * b + weights[2] * c - p).squaredNorm();
-    if (d < least)
-    {
-      least = d;
-      best = weights;
-    }
-  }
-  return best;
-}
-
 struct Crest
 {
   double mean = 1.0, least = 1.0;
@@ -140,7 +115,7 @@ Crest crestOf(const Forest& raised, const std::vector<Vector3>& before, const Fe
         const int* v = raised.faces[f].v;
         if ((before[v[0]] - p).squaredNorm() > r * r)
           continue;
-        const Vector3 w = nearestWeights(before[v[0]], before[v[1]], before[v[2]], p);
+        const auto w = closestWeights(before[v[0]], before[v[1]], before[v[2]], p);
         const double d = (w[0] * before[v[0]] + w[1] * before[v[1]] + w[2] * before[v[2]] - p).squaredNorm();
         if (d < least)
         {

@@ -1,6 +1,7 @@
 #include "Stellar/passage.h"
 
 #include "Mesh/context.h"
+#include "Mesh/nearest.h"
 #include "Stellar/distance.h"
 
 #include <algorithm>
@@ -207,7 +208,7 @@ std::vector<int> joined(const Forest& forest,
     {
       const Corners corners = cornersOf(i);
       const double distance =
-        distanceToTriangle(c.points[p], corners.p, corners.p + corners.x, corners.p + corners.y);
+        squaredDistance(corners.p, corners.p + corners.x, corners.p + corners.y, c.points[p]);
       if (distance < best[p])
       {
         best[p] = distance;

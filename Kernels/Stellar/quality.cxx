@@ -20,14 +20,6 @@ double squaredSine(double degrees)
   return sine * sine;
 }
 
-double narrowness(const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
-  const double shortest = std::min({ ab, bc, ca });
-  const double others = ab == shortest ? bc * ca : bc == shortest ? ab * ca : ab * bc;
-  return others > 0.0 ? (b - a).cross(c - a).squaredNorm() / others : 0.0;
-}
-
 bool mayMove(const Forest& forest,
   int v,
   const Vector3& to,

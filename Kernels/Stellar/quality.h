@@ -2,14 +2,13 @@
 #ifndef oversketch_kernels_stellar_quality_h
 #define oversketch_kernels_stellar_quality_h
 
+#include "Mesh/shape.h"
 #include "Stellar/forest.h"
 
 namespace oversketch
 {
 
-// Sine squared of a triangle's smallest angle, zero for one without area.
-double narrowness(const Vector3& a, const Vector3& b, const Vector3& c);
-// To compare it with, of an angle [degrees].
+// The sine squared of an angle [degrees], to compare a narrowness with.
 double squaredSine(double degrees);
 
 // Amendment A2: whether a vertex may go to a place. Not if the normal of a face of its star would turn by 90

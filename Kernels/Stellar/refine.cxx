@@ -1,6 +1,7 @@
 #include "Stellar/refine.h"
 
 #include "Mesh/context.h"
+#include "Mesh/nearest.h"
 #include "Stellar/leaves.h"
 #include "Stellar/passage.h"
 #include "Stellar/quality.h"
@@ -450,10 +451,10 @@ Forest refineToSource(const Forest& forest,
     const auto farFrom = [&](int g, const Vector3& place)
     {
       const int* v = work.faces[g].v;
-      return distanceToTriangle(place,
-               work.vertices[v[0]].position,
+      return squaredDistance(work.vertices[v[0]].position,
                work.vertices[v[1]].position,
-               work.vertices[v[2]].position) > options.tolerance;
+               work.vertices[v[2]].position,
+               place) > options.tolerance * options.tolerance;
     };
     return std::any_of(std::begin(middles),
       std::end(middles),

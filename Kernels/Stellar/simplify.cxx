@@ -1,6 +1,7 @@
 #include "Stellar/simplify.h"
 
 #include "Mesh/context.h"
+#include "Mesh/nearest.h"
 #include "Stellar/leaves.h"
 #include "Stellar/passage.h"
 
@@ -34,7 +35,7 @@ double errorOf(const Forest& forest, int w)
         const int c = forest.faces[face.n[2]].v[1];
         const Vector3 &p = at(face.v[1]), &q = at(face.v[2]), &r = at(c);
         isFlat |= !((q - p).cross(r - p).norm() > flattest * ((q - p).squaredNorm() + (r - p).squaredNorm()));
-        error = std::min(error, distanceToTriangle(at(w), p, q, r));
+        error = std::min(error, std::sqrt(squaredDistance(p, q, r, at(w))));
       }
     });
   return isFlat ? std::numeric_limits<double>::infinity() : error;

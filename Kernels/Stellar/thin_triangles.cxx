@@ -1,4 +1,5 @@
 #include "Stellar/thin_triangles.h"
+#include "Stellar/quality.h"
 
 #include <algorithm>
 #include <array>
@@ -41,19 +42,6 @@ bool comesNear(const CurveSearch& search,
   return comesNear(search, curve, radius, half, halvings - 1);
 }
 
-// Its longest edge, and the sine of its smallest angle.
-std::pair<double, double> shapeOf(const std::array<Vector3, 3>& t)
-{
-  std::array<double, 3> lengths{};
-  for (int k = 0; k < 3; ++k)
-  {
-    lengths[k] = (t[(k + 1) % 3] - t[k]).norm();
-  }
-  std::sort(lengths.begin(), lengths.end());
-  const double area = (t[1] - t[0]).cross(t[2] - t[0]).norm();
-  return { lengths[2], area > 0.0 ? area / (lengths[1] * lengths[2]) : 0.0 };
-}
-
 } // namespace
 
 CurveNeighbourhood neighbourhoodOf(const Mesh& mesh,
@@ -61,7 +49,7 @@ CurveNeighbourhood neighbourhoodOf(const Mesh& mesh,
   double radius,
   const Context& context)
 {
-  const double thin = std::sin(15.0 * std::acos(-1.0) / 180.0);
+  const double thin = squaredSine(15.0);
   const CurveSearch search(curves);
   std::vector<double> radii;
   for (const FeatureCurve& curve : curves)
@@ -87,11 +75,12 @@ CurveNeighbourhood neighbourhoodOf(const Mesh& mesh,
           const int curve = static_cast<int>(k);
           if (box.exteriorDistance(search.box(curve)) < radii[k] && comesNear(search, curve, radii[k], t))
           {
-            const auto [longest, sine] = shapeOf(t);
+            const double longest = std::sqrt(std::max(
+              { (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() }));
             near[f] = 1;
             edges[f] = longest;
             weights[f] = longest > 0.25 * radii[k] ? longest : 0.0;
-            ofThin[f] = sine < thin ? weights[f] : 0.0;
+            ofThin[f] = narrowness(t[0], t[1], t[2]) < thin ? weights[f] : 0.0;
           }
         }
       }

@@ -1,5 +1,7 @@
 #include "Stroke/polyline.h"
 
+#include "Mesh/nearest.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -127,9 +129,7 @@ NearestPlace::Answer NearestPlace::operator()(const Vector2& point, double limit
     for (int i = block.begin; i < block.end; ++i)
     {
       const Vector2 offset = point - this->Starts[i];
-      const double squaredLength = this->Steps[i].squaredNorm();
-      const double t =
-        squaredLength > 0.0 ? std::clamp(offset.dot(this->Steps[i]) / squaredLength, 0.0, 1.0) : 0.0;
+      const double t = nearestShare(offset, this->Steps[i]);
       const double squared = (offset - t * this->Steps[i]).squaredNorm();
       if (squared < best || (squared == best && answer.segment < 0))
       {
