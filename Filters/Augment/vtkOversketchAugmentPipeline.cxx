@@ -348,15 +348,11 @@ void vtkOversketchAugment::Pipeline::SetEdges(vtkOversketchStellarRefine* step, 
   step->SetRadius(radius);
   step->SetTargetEdgeLength(self->TargetEdgeLength);
   step->SetDistance(self->Distance);
-  // The refinement is to stay while it does not depend on height and profile: without a tolerance of the
-  // profile it reads of them whether the sharpness is below 1, up to 2 or above.
-  const bool follows = step->GetProfileTolerance() != 0.0;
-  const double alike = self->Sharpness > 2.0                             ? 3.0
-                       : self->Sharpness >= 0.0 && self->Sharpness < 1.0 ? 0.5
-                                                                         : 1.5;
-  step->SetHeight(follows ? self->Height : 0.0);
-  step->SetSharpness(follows ? self->Sharpness : alike);
-  step->SetProfile(follows ? self->GetProfile() : "");
+  // It is to stay while it does not depend on the profile, of which it reads whether the sharpness is below
+  // 1, up to 2 or above.
+  step->SetSharpness(self->Sharpness > 2.0                             ? 3.0
+                     : self->Sharpness >= 0.0 && self->Sharpness < 1.0 ? 0.5
+                                                                       : 1.5);
 }
 
 void vtkOversketchAugment::Pipeline::RunBase(vtkPolyData* mesh)

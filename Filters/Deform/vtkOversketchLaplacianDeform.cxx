@@ -80,11 +80,11 @@ public:
   {
     MeshKey Mesh;
     std::vector<char> Movable;
-    bool BorderRows, AdjustNormals;
+    bool AdjustNormals;
     bool operator==(const Key& other) const
     {
       return this->Mesh == other.Mesh && this->Movable == other.Movable &&
-             this->BorderRows == other.BorderRows && this->AdjustNormals == other.AdjustNormals;
+             this->AdjustNormals == other.AdjustNormals;
     }
   };
   std::shared_ptr<const LaplacianShape> Find(const Key& key)
@@ -133,7 +133,6 @@ struct vtkOversketchLaplacianDeform::Cache
   std::vector<Binding> Bindings;
   double HandleWeight = 0.0;
   bool AdjustNormals = false;
-  bool BorderRows = false;
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
   std::shared_ptr<const LaplacianShape> Shape;
   std::shared_ptr<FactorMemory> Memory = std::make_shared<FactorMemory>(); // from factor to factor
@@ -328,7 +327,7 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
 
   const bool sameSystem = cache.Shape && cache.SystemKey == systemKey && cache.Region == region &&
                           cache.Bindings == handles.Bindings && cache.HandleWeight == this->HandleWeight &&
-                          cache.AdjustNormals == this->AdjustNormals && cache.BorderRows == this->BorderRows;
+                          cache.AdjustNormals == this->AdjustNormals;
   const bool isWritten = sameSystem && cache.Points && cache.OutputKey == outputKey &&
                          cache.Displacements == handles.Displacements;
   if (!sameSystem || (!cache.System && !isWritten))
@@ -336,10 +335,9 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.System.reset();
     cache.Points = nullptr;
     cache.Data = SharedMesh(input);
-    const ShapeRegister::Key key{ systemKey,
-      movableVertices(cache.Data->Neighbours(), region, handles.Bindings),
-      this->BorderRows,
-      this->AdjustNormals };
+    const ShapeRegister::Key key{
+      systemKey, movableVertices(cache.Data->Neighbours(), region, handles.Bindings), this->AdjustNormals
+    };
     auto shape = Shapes().Find(key);
     if (!shape)
     {
@@ -347,7 +345,7 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
       shape = std::make_shared<LaplacianShape>(cache.Data->Surface(),
         cache.Data->Neighbours(),
         key.Movable,
-        this->BorderRows,
+        true, // border vertices keep their Laplacian, too: a C1 join
         this->AdjustNormals,
         PartOf(context, 0.0, 0.4));
       Shapes().Add(key, shape);
@@ -363,7 +361,6 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.HandleWeight = this->HandleWeight;
     cache.SystemKey = systemKey;
     cache.AdjustNormals = this->AdjustNormals;
-    cache.BorderRows = this->BorderRows;
   }
   if (!isWritten)
   {
@@ -416,7 +413,6 @@ void vtkOversketchLaplacianDeform::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AdjustNormals: " << this->AdjustNormals << endl;
   os << indent << "HandleWeight: " << this->HandleWeight << endl;
-  os << indent << "BorderRows: " << this->BorderRows << endl;
   os << indent << "AnalysisCount: " << this->AnalysisCount << endl;
   os << indent << "FactorizationCount: " << this->FactorizationCount << endl;
   os << indent << "SolveCount: " << this->SolveCount << endl;

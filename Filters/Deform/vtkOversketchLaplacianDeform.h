@@ -79,16 +79,6 @@ public:
   vtkGetMacro(HandleWeight, double);
   ///@}
 
-  ///@{
-  /**
-   * Whether border vertices keep their Laplacian too: the region then joins the rest smoothly (C1); off
-   * leaves a crease. Default on.
-   */
-  vtkSetMacro(BorderRows, bool);
-  vtkGetMacro(BorderRows, bool);
-  vtkBooleanMacro(BorderRows, bool);
-  ///@}
-
   /**
    * Preview of the output for all targets moved by their share of one vector [world], as a hand drags a
    * stroke: writes the places of the vertices that can move into `points`, which are a copy of the last
@@ -152,7 +142,6 @@ private:
 
   bool AdjustNormals = false;
   double HandleWeight = 10.0;
-  bool BorderRows = true;
   vtkIdType AnalysisCount = 0;
   vtkIdType FactorizationCount = 0;
   vtkIdType SolveCount = 0;

@@ -26,6 +26,9 @@
 using namespace oversketch;
 
 // What heights are read from, each made anew when what is before it is.
+// Pixels along a cell of the grid on which smoothing and Poisson's equation are solved.
+constexpr int gridStep = 2;
+
 struct vtkOversketchInflate::Cache
 {
   StepKey MapsKey, ThicknessKey, RatioKey;
@@ -166,9 +169,7 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
       Cache& cache = *this->Internals;
 
       const Frame frame = FrameOf(image);
-      std::vector<double> values{
-        frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width, 1.0 * this->GridStep
-      };
+      std::vector<double> values{ frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width };
       const auto key = [&] { return StepKey({ ImageKey(image) }, values); };
       Cache::Provide(cache.MapsKey,
         key(),
@@ -178,8 +179,7 @@ int vtkOversketchInflate::RequestData(vtkInformation*,
           cache.Image = nullptr;
           cache.Grid = nullptr;
           cache.Maps = UphillMapsOf(image, ContextOf(this, 0.0, 0.05));
-          cache.Grid =
-            std::make_unique<GridSmoothing>(cache.Maps, this->GridStep, ContextOf(this, 0.05, 0.2));
+          cache.Grid = std::make_unique<GridSmoothing>(cache.Maps, gridStep, ContextOf(this, 0.05, 0.2));
         });
       // A smoothed circle's heights do not ask for the thickness.
       if (!poisson && !(round > 0.0 && section.isCircle()))
@@ -248,7 +248,6 @@ void vtkOversketchInflate::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HeightFactor: " << this->HeightFactor << "\n";
   os << indent << "LocalMaxSmoothing: " << this->LocalMaxSmoothing << "\n";
   os << indent << "ProfileSmoothing: " << this->ProfileSmoothing << "\n";
-  os << indent << "GridStep: " << this->GridStep << "\n";
   os << indent << "UnstretchedRims: " << this->UnstretchedRims << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "ThicknessCount: " << this->ThicknessCount << "\n";

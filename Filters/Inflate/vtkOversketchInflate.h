@@ -126,15 +126,6 @@ public:
 
   ///@{
   /**
-   * Pixels along a cell of the grid on which smoothing and Poisson's equation are solved [1 to 16, default
-   * 2].
-   */
-  vtkSetClampMacro(GridStep, int, 1, 16);
-  vtkGetMacro(GridStep, int);
-  ///@}
-
-  ///@{
-  /**
    * Move points that lie on no stroke towards the rim before they are pushed out, so that triangles there are
    * stretched less and the rim is round, and swap edges that cut more than a pixel off the surface [default
    * on; as published: off]. No triangle of the plane is turned over by it. Only where the surface begins
@@ -183,7 +174,6 @@ private:
   double HeightFactor = 1.0;
   double LocalMaxSmoothing = 0.5;
   double ProfileSmoothing = -1.0;
-  int GridStep = 2;
   bool UnstretchedRims = true;
   bool AsPublished = false;
   vtkIdType ThicknessCount = 0;

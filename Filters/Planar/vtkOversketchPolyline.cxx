@@ -87,7 +87,7 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
         read.push_back(PlanarKey(splits));
       }
       this->Internals->Kept.Provide(
-        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->CornerAngle, this->JoinDistance }),
+        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->JoinDistance }),
         output,
         [&](vtkPolyData* result)
         {
@@ -106,7 +106,6 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
           }
           ApproximationRules rules;
           rules.mode = fixed ? DeltaMode::Fixed : DeltaMode::Adaptive;
-          rules.cornerAngle = vtkMath::RadiansFromDegrees(this->CornerAngle);
           rules.tolerance = this->Tolerance;
           rules.joinDistance = this->JoinDistance;
           const Context context = ContextOf(this);
@@ -130,7 +129,6 @@ void vtkOversketchPolyline::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "DeltaMode: " << this->DeltaMode << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "CornerAngle: " << this->CornerAngle << "\n";
   os << indent << "JoinDistance: " << this->JoinDistance << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "PolylineCount: " << this->PolylineCount << "\n";

@@ -93,15 +93,6 @@ public:
 
   ///@{
   /**
-   * A change of direction beyond which a sample is near a corner [degrees, 1 to 180, default 45, as
-   * published].
-   */
-  vtkSetClampMacro(CornerAngle, double, 1.0, 180.0);
-  vtkGetMacro(CornerAngle, double);
-  ///@}
-
-  ///@{
-  /**
    * Ends of open features so near the rim of their region join it: share of the canvas's longest side [0 to
    * 0.1, default 0.01; 0: ends stay where they were drawn].
    */
@@ -136,7 +127,6 @@ private:
 
   int DeltaMode = ADAPTIVE;
   double Tolerance = 0.05;
-  double CornerAngle = 45.0;
   double JoinDistance = 0.01;
   bool AsPublished = false;
   vtkIdType PolylineCount = 0;

@@ -36,10 +36,10 @@ namespace
 
 // What the whole mesh's mixture depends on besides the mesh and its diameters: components, samples, seed,
 // whether they are even, back end.
-using FitKey = std::tuple<int, int, int, bool, int>;
+using FitKey = std::tuple<int, int, bool, int>;
 // What the region depends on besides that: lambda, tolerance, section and end length, shift, what is near,
 // amendments.
-using GrowthKey = std::tuple<double, double, double, double, double, double, bool, bool, bool, bool, bool>;
+using GrowthKey = std::tuple<double, double, double, double, double, bool, bool, bool, bool, bool>;
 
 std::vector<double> DiametersOf(vtkDataArray* array)
 {
@@ -61,6 +61,11 @@ std::vector<double> DiametersOf(vtkDataArray* array)
 // Of the mean thickness. On tessellated spheres the rays' deviation is up to 0.6 %, on tori the thickness'
 // own 1.7 %; of an egg a seventh longer than wide it is 2.6 %, of what has limbs 20 % and more.
 constexpr double noise = 0.02;
+
+constexpr int mostSamples = 2048; // for a mixture
+// How far from a seed a sample for the mixture of too few seeds may lie, along edges, of half the bounding
+// box's diagonal: the paper's tolerance, whose unit is not told.
+constexpr double seedTolerance = 0.1;
 
 double SectionLengthOf(vtkPolyData* handles)
 {
@@ -370,11 +375,11 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
     this->Diameters.end(),
     this->Scaled.begin(),
     [&](double d) { return range > 0.0 ? (d - low) / range : 0.0; });
-  const int most = self->MaximumSamples;
   const std::vector<double> samples =
     self->EvenSamples
-      ? evenSamples(Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), most, ThreadsOnly())
-      : Pick(this->Scaled, drawWithoutReplacement(count, most, self->Seed));
+      ? evenSamples(
+          Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), mostSamples, ThreadsOnly())
+      : Pick(this->Scaled, drawWithoutReplacement(count, mostSamples, self->Seed));
   ++self->WholeFitCount;
   self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
   this->Deviation = DeviationOf(samples, range > 0.0 ? low / range : 1.0);
@@ -389,12 +394,12 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMix
     mesh.Neighbours(),
     seeds,
     3 * static_cast<std::size_t>(self->Components),
-    self->SeedTolerance * 0.5 * this->Diagonal);
+    seedTolerance * 0.5 * this->Diagonal);
   const std::vector<double> known = Pick(this->Scaled, around);
   const std::vector<double> samples =
     self->EvenSamples
-      ? evenSamples(known, {}, self->MaximumSamples)
-      : Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), self->MaximumSamples, self->Seed));
+      ? evenSamples(known, {}, mostSamples)
+      : Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), mostSamples, self->Seed));
   const Mixture foreground =
     this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components)).mixture;
   std::vector<double> ratios(this->Scaled.size());
@@ -529,8 +534,7 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
       const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
       const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
-      const FitKey fitKey(
-        this->Components, this->MaximumSamples, this->Seed, this->EvenSamples, this->GetBackend());
+      const FitKey fitKey(this->Components, this->Seed, this->EvenSamples, this->GetBackend());
       const std::vector<int> parts = this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
       if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts ||
           cache.Whole.empty())
@@ -549,7 +553,6 @@ int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
       const double nearness = near ? NearOf(section, SectionLengthOf(handles), diameter) : 0.0;
 
       const GrowthKey growthKey(this->Lambda,
-        this->SeedTolerance,
         sectionLength,
         endLength,
         shift,
@@ -580,7 +583,6 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Lambda: " << this->Lambda << '\n'
-     << indent << "SeedTolerance: " << this->SeedTolerance << '\n'
      << indent << "SeedMargin: " << this->SeedMargin << '\n'
      << indent << "FillIslands: " << (this->FillIslands ? "On" : "Off") << '\n'
      << indent << "LimitRunaway: " << (this->LimitRunaway ? "On" : "Off") << '\n'
@@ -591,7 +593,6 @@ void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "EvenSamples: " << (this->EvenSamples ? "On" : "Off") << '\n'
      << indent << "IgnoreNoise: " << (this->IgnoreNoise ? "On" : "Off") << '\n'
      << indent << "Components: " << this->Components << '\n'
-     << indent << "MaximumSamples: " << this->MaximumSamples << '\n'
      << indent << "Seed: " << this->Seed << '\n'
      << indent << "WholeFitCount: " << this->WholeFitCount << '\n'
      << indent << "GrowthCount: " << this->GrowthCount << '\n'

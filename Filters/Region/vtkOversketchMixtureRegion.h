@@ -81,15 +81,6 @@ public:
 
   ///@{
   /**
-   * How far from a seed a sample for the mixture of too few seeds may lie, along edges [half the bounding
-   * box's diagonal], at least 0; default 0.1, the paper's tolerance (its unit is not told).
-   */
-  vtkSetClampMacro(SeedTolerance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(SeedTolerance, double);
-  ///@}
-
-  ///@{
-  /**
    * Seeds have a RelativePosition in [SeedMargin, 1 - SeedMargin]; 0, as published, to 0.45, default 0.1.
    */
   vtkSetClampMacro(SeedMargin, double, 0.0, 0.45);
@@ -190,14 +181,6 @@ public:
 
   ///@{
   /**
-   * Most samples for a mixture, at least 1; default 2048. Fewer values than that are all used.
-   */
-  vtkSetClampMacro(MaximumSamples, int, 1, VTK_INT_MAX);
-  vtkGetMacro(MaximumSamples, int);
-  ///@}
-
-  ///@{
-  /**
    * Seed of the generator that draws samples, EvenSamples being off; default 1.
    */
   vtkSetMacro(Seed, int);
@@ -225,7 +208,6 @@ private:
   void operator=(const vtkOversketchMixtureRegion&) = delete;
 
   double Lambda = 0.2;
-  double SeedTolerance = 0.1;
   double SeedMargin = 0.1;
   bool FillIslands = true;
   bool LimitRunaway = true;
@@ -236,7 +218,6 @@ private:
   bool EvenSamples = true;
   bool IgnoreNoise = true;
   int Components = 4;
-  int MaximumSamples = 2048;
   int Seed = 1;
   vtkIdType WholeFitCount = 0;
   vtkIdType GrowthCount = 0;

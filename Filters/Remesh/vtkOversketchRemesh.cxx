@@ -137,7 +137,7 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
   {
     const double factor = FieldValue(handles, "SectionLength", "handles", handlesRemedy) /
                           FieldValue(handles, "TargetLength", "handles", handlesRemedy);
-    question.Factor = std::min(1.0, std::max(self->MinimumFactor, factor));
+    question.Factor = std::min(1.0, std::max(Sizing().minimumFactor, factor));
   }
   if (self->Stage == Restore && self->KeepSmooth && input->GetPointData()->GetAbstractArray("EdgeLength"))
   {
@@ -156,8 +156,7 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
     self->ProtectSection ? 1.0 : 0.0,
     self->KeepSmooth ? 1.0 : 0.0,
     self->TakeOutFolds ? 1.0 : 0.0,
-    self->SourcesOfAll ? 1.0 : 0.0,
-    self->MinimumFactor };
+    self->SourcesOfAll ? 1.0 : 0.0 };
   for (const Binding& binding : question.Handles)
   {
     values.insert(values.end(), binding.vertices.begin(), binding.vertices.end());
@@ -199,7 +198,6 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   const double guide = question.Guide == 0.0 ? guideLength(mesh, active) : question.Guide;
   Sizing sizing;
   sizing.length = guide * question.Factor;
-  sizing.minimumFactor = self->MinimumFactor;
   // Lengths are of the mesh before it is stretched, like L.
   const std::vector<double> own =
     self->KeepSmooth && !question.Lengths ? fittingLengths(mesh, active) : valuesOf(question.Lengths);
@@ -469,7 +467,6 @@ void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepSmooth: " << (this->KeepSmooth ? "On" : "Off") << "\n";
   os << indent << "TakeOutFolds: " << (this->TakeOutFolds ? "On" : "Off") << "\n";
   os << indent << "SourcesOfAll: " << (this->SourcesOfAll ? "On" : "Off") << "\n";
-  os << indent << "MinimumFactor: " << this->MinimumFactor << "\n";
   os << indent << "GuideLength: " << this->GuideLength << "\n";
   os << indent << "Factor: " << this->Factor << "\n";
   os << indent << "RemeshCount: " << this->RemeshCount << "\n";

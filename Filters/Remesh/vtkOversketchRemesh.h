@@ -10,7 +10,7 @@
  * to the input surface.
  *
  * Departures, each because one uniform length eats thin limbs and loses what the pipeline carries:
- * - the target length of a vertex is min(L k, ShapeDiameter / 2), never under MinimumFactor L k, smoothed so
+ * - the target length of a vertex is min(L k, ShapeDiameter / 2), never under 0.2 L k, smoothed so
  * that it grows by at most half of the way walked; where the limit by diameter would more than quadruple the
  * number of triangles it is raised evenly until it does not;
  * - (KeepSmooth) it is at most k times the length that fits the triangles round it: 3.9 times their area over
@@ -27,7 +27,7 @@
  * there;
  * - edges and vertices that carry handles keep their place (edges may be split), so that the section does not
  * drift;
- * - k is limited to [MinimumFactor, 1];
+ * - k is limited to [0.2, 1];
  * - folded edges (normals over 100 degrees apart) are not split: there shall never be more of them;
  * - (TakeOutFolds) at last vertices at folded edges move towards the mean of their neighbours, off the
  * surface where less is folded then, but none on the region's border, a seam or a border of the mesh;
@@ -168,15 +168,6 @@ public:
 
   ///@{
   /**
-   * Least k, and least share of L k that the limit by diameter may ask for; dimensionless, 0.05 to 1. Default
-   * 0.2.
-   */
-  vtkSetClampMacro(MinimumFactor, double, 0.05, 1.0);
-  vtkGetMacro(MinimumFactor, double);
-  ///@}
-
-  ///@{
-  /**
    * Write the sources of all triangles, 96 bytes each, or of those alone that could change. Default on.
    */
   vtkSetMacro(SourcesOfAll, bool);
@@ -220,7 +211,6 @@ private:
   bool KeepSmooth = true;
   bool TakeOutFolds = false;
   bool SourcesOfAll = true;
-  double MinimumFactor = 0.2;
   double GuideLength = 0.0;
   double Factor = 1.0;
   double TrianglesWanted = 0.0;

@@ -207,12 +207,9 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
           if (set.Visible[i] && view.inFront(p.position))
           {
             visible.back().display.push_back(view.toDisplay(p.position).head<2>());
-            if (this->BindEdges)
-            {
-              // Farther than the facets explain lies an inner feature, a crease between toes: its points
-              // would pull against the outline's own.
-              visible.back().reach.push_back(0.5 * EdgeLength(p, *data, view));
-            }
+            // Farther than the facets explain lies an inner feature, a crease between toes: its points would
+            // pull against the outline's own.
+            visible.back().reach.push_back(0.5 * EdgeLength(p, *data, view));
           }
         }
         if (visible.back().display.size() != set.Curves[i].points.size())
@@ -220,7 +217,7 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
           visible.back().display.clear();
         }
       }
-      const auto outlines = attachSilhouette(cache.Loops, visible, this->AttachDistance, this->BindEdges);
+      const auto outlines = attachSilhouette(cache.Loops, visible, this->AttachDistance, true);
 
       const double defaultDepth = SomeDepth(mesh, view);
       std::vector<Curve> curves;
@@ -260,5 +257,4 @@ void vtkOversketchOutline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AttachDistance: " << this->AttachDistance << '\n';
-  os << indent << "BindEdges: " << (this->BindEdges ? "on" : "off") << '\n';
 }

@@ -8,11 +8,11 @@
  * mesh covers are candidates for matching too; visible silhouette points within AttachDistance of a loop are
  * inserted in their order along it. A curve that leaves the loop sideways or runs back along it is not
  * attached there. The loop's points lie exactly on the boundary of the covered area, where it crosses the
- * lines between pixel centres, and are smoothed by five taps. Departure: with BindEdges, every mesh edge that
- * the loop is the picture of is bound too, and silhouette points are attached no farther than half an edge.
- * The silhouette of interpolated normals runs beside the outline, by up to that much, and at creases and
- * borders not along it at all: what it leaves loose would form the outline of the result, and what lies
- * farther is an inner feature that would pull against it.
+ * lines between pixel centres, and are smoothed by five taps. Departure: every mesh edge that the loop is the
+ * picture of is bound too, and silhouette points are attached no farther than half an edge. The silhouette of
+ * interpolated normals runs beside the outline, by up to that much, and at creases and borders not along it
+ * at all: what it leaves loose would form the outline of the result, and what lies farther is an inner
+ * feature that would pull against it.
  *
  * Input 0 (Mesh): triangle mesh; triangles with a corner at or behind the eye of a perspective view have
  * no picture.
@@ -78,16 +78,6 @@ public:
   vtkGetMacro(AttachDistance, double);
   ///@}
 
-  ///@{
-  /**
-   * Bind the mesh edges that the loop is the picture of, one point each, besides the silhouette points; of
-   * these only those that lie within half the mean edge length round them, in the picture [default on].
-   */
-  vtkSetMacro(BindEdges, bool);
-  vtkGetMacro(BindEdges, bool);
-  vtkBooleanMacro(BindEdges, bool);
-  ///@}
-
   /**
    * How often the loops have been traced since the filter was made.
    */
@@ -104,7 +94,6 @@ private:
   void operator=(const vtkOversketchOutline&) = delete;
 
   double AttachDistance = 3.0;
-  bool BindEdges = true;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

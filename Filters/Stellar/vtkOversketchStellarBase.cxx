@@ -154,10 +154,7 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
       {
         RequireFinite(this->MaximumError, "MaximumError");
         values.insert(values.end(),
-          { static_cast<double>(this->TargetFaces),
-            this->MaximumError,
-            static_cast<double>(this->KeepFeatures),
-            this->SourceTolerance });
+          { static_cast<double>(this->TargetFaces), this->MaximumError, this->SourceTolerance });
       }
       cache.Step.Provide(StepKey({ MeshKey(input) }, values),
         input,
@@ -184,7 +181,6 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
           ClusterOptions clusters;
           clusters.targetFaces = this->TargetFaces;
           clusters.maximumError = this->MaximumError;
-          clusters.keepFeatures = this->KeepFeatures;
           ClusterResult simplified = simplifyByClusters(mesh, clusters, ContextOf(this, 0.0, 0.7));
           BaseMesh base = pairTriangles(simplified.mesh, options, ContextOf(this, 0.7, 0.8));
           this->Pairs = base.pairs;
@@ -217,7 +213,6 @@ void vtkOversketchStellarBase::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "TargetFaces: " << this->TargetFaces << "\n";
   os << indent << "MaximumError: " << this->MaximumError << "\n";
-  os << indent << "KeepFeatures: " << this->KeepFeatures << "\n";
   os << indent << "SourceTolerance: " << this->SourceTolerance << "\n";
   os << indent << "ImprovePairs: " << this->ImprovePairs << "\n";
   os << indent << "EagerPairs: " << this->EagerPairs << "\n";

@@ -92,15 +92,6 @@ public:
 
   ///@{
   /**
-   * Simplified: points at edges of over 45 degrees stay [default on].
-   */
-  vtkSetMacro(KeepFeatures, bool);
-  vtkGetMacro(KeepFeatures, bool);
-  vtkBooleanMacro(KeepFeatures, bool);
-  ///@}
-
-  ///@{
-  /**
    * Simplified: how near middles of edges and triangles are to be to the mesh [model length, default -1: 1e-3
    * of the mesh's diagonal].
    */
@@ -155,7 +146,6 @@ private:
   int Mode = Direct;
   int TargetFaces = 0;
   double MaximumError = 0.0;
-  bool KeepFeatures = true;
   double SourceTolerance = -1.0;
   bool ImprovePairs = true;
   bool EagerPairs = false;

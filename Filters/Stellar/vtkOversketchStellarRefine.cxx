@@ -77,11 +77,6 @@ int vtkOversketchStellarRefine::FillInputPortInformation(int port, vtkInformatio
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-void vtkOversketchStellarRefine::SetProfile(const char* text)
-{
-  SetText(this, this->Profile, text);
-}
-
 int vtkOversketchStellarRefine::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
@@ -91,20 +86,16 @@ int vtkOversketchStellarRefine::RequestData(vtkInformation*,
     outputs,
     [&](const CurveStep& step)
     {
-      RequireFinite(this->Height, "Height");
-      std::vector<double> values{ this->Radius,
-        this->Height,
+      const std::vector<double> values{ this->Radius,
         this->Sharpness,
         this->TargetEdgeLength,
         static_cast<double>(this->FineFoot),
-        this->ProfileTolerance,
         static_cast<double>(this->Distance),
         static_cast<double>(this->ConnectedOnly),
         static_cast<double>(this->SeedCurveFaces),
         static_cast<double>(this->MaximumGeneration),
         static_cast<double>(this->MaximumFaces) };
-      AddText(values, this->Profile);
-      const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+      const FeatureCurves curves = CurvesOf(step.curves);
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), SourceKey(step) },
         values,
@@ -117,15 +108,9 @@ int vtkOversketchStellarRefine::RequestData(vtkInformation*,
           ++this->RefineCount;
           RefineOptions options;
           options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
-          options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
           options.sharpness = this->Sharpness;
           options.targetEdgeLength = this->TargetEdgeLength;
           options.fineFoot = this->FineFoot;
-          options.profileTolerance = this->ProfileTolerance;
-          if (!this->Profile.empty())
-          {
-            options.profile = Profile::polyline(this->Profile);
-          }
           options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
           options.connectedOnly = this->ConnectedOnly;
           options.seedCurveFaces = this->SeedCurveFaces;
@@ -146,12 +131,9 @@ void vtkOversketchStellarRefine::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "Height: " << this->Height << "\n";
   os << indent << "Sharpness: " << this->Sharpness << "\n";
-  os << indent << "Profile: " << this->Profile << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";
   os << indent << "FineFoot: " << this->FineFoot << "\n";
-  os << indent << "ProfileTolerance: " << this->ProfileTolerance << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
   os << indent << "SeedCurveFaces: " << this->SeedCurveFaces << "\n";

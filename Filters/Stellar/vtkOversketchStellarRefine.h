@@ -8,7 +8,7 @@
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
- * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Normals and Pressure are read, and the cell arrays Radius and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new
  * points lie where those of their edge do. What a terrain's mesh carries of that is read where nothing is
  * connected here.
@@ -35,7 +35,6 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory>
-#include <string>
 
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarRefine : public vtkPolyDataAlgorithm
 {
@@ -67,29 +66,11 @@ public:
 
   ///@{
   /**
-   * Height of the feature on the curve, below 0 inward [model length, default 0: half the radius]. A curve's
-   * own Height goes before it. Read with ProfileTolerance.
-   */
-  vtkSetMacro(Height, double);
-  vtkGetMacro(Height, double);
-  ///@}
-
-  ///@{
-  /**
    * Exponent s of the feature's profile (1 - distance / radius)^s, not negative [default 1.5]. A curve's own
    * Sharpness goes before it.
    */
   vtkSetMacro(Sharpness, double);
   vtkGetMacro(Sharpness, double);
-  ///@}
-
-  ///@{
-  /**
-   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; an empty text (default):
-   * none.
-   */
-  void SetProfile(const char* text);
-  const char* GetProfile() const { return this->Profile.c_str(); }
   ///@}
 
   ///@{
@@ -109,15 +90,6 @@ public:
   vtkSetMacro(FineFoot, bool);
   vtkGetMacro(FineFoot, bool);
   vtkBooleanMacro(FineFoot, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Above 0: split also while the feature would be farther than this from the middle of an edge [model
-   * length, default 0].
-   */
-  vtkSetMacro(ProfileTolerance, double);
-  vtkGetMacro(ProfileTolerance, double);
   ///@}
 
   enum DistanceType
@@ -198,12 +170,9 @@ private:
   void operator=(const vtkOversketchStellarRefine&) = delete;
 
   double Radius = -1.0;
-  double Height = 0.0;
   double Sharpness = 1.5;
-  std::string Profile;
   double TargetEdgeLength = 0.0;
   bool FineFoot = true;
-  double ProfileTolerance = 0.0;
   int Distance = Straight;
   bool ConnectedOnly = true;
   bool SeedCurveFaces = true;

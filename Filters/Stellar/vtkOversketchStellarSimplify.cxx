@@ -69,8 +69,7 @@ int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
         { this->Tolerance,
           this->Radius,
           static_cast<double>(this->Distance),
-          static_cast<double>(this->ConnectedOnly),
-          static_cast<double>(this->WeldSnapped) },
+          static_cast<double>(this->ConnectedOnly) },
         nullptr,
         StellarStep::Motion::None,
         vtkPolyData::GetData(outputs),
@@ -83,7 +82,6 @@ int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
           options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
           options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
           options.connectedOnly = this->ConnectedOnly;
-          options.weldSnapped = this->WeldSnapped;
           const FeatureCurves curves = drawn ? CurvesOf(curvesIn) : FeatureCurves();
           const std::shared_ptr<const Raised> raised = RaisedOf(mesh);
           if (drawn && raised && raised->curves == WholeKey(curvesIn) && raised->radius == options.radius &&
@@ -104,7 +102,6 @@ void vtkOversketchStellarSimplify::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
-  os << indent << "WeldSnapped: " << this->WeldSnapped << "\n";
   os << indent << "Welded: " << this->Welded << "\n";
   os << indent << "SimplifyCount: " << this->SimplifyCount << "\n";
 }

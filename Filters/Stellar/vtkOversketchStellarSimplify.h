@@ -5,7 +5,7 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Secs. I-A and III-B, which
  * schedule simplification and give no rule. Here a vertex goes that lies nearer than a tolerance to the two
  * triangles that it split, from the finest level to the coarsest; what a displacement along the curves moved
- * stays, as do snapped vertices and crests of earlier strokes (WeldSnapped).
+ * stays, as do snapped vertices and crests of earlier strokes.
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
  * Input 1 (Curves, optional): polylines of vtkOversketchSurfaceStroke, whose features are kept.
@@ -88,15 +88,6 @@ public:
 
   ///@{
   /**
-   * Vertices on curves and crests may go too [default off].
-   */
-  vtkSetMacro(WeldSnapped, bool);
-  vtkGetMacro(WeldSnapped, bool);
-  vtkBooleanMacro(WeldSnapped, bool);
-  ///@}
-
-  ///@{
-  /**
    * Of the last simplification: vertices taken away.
    */
   vtkGetMacro(Welded, int);
@@ -130,7 +121,6 @@ private:
   double Radius = -1.0;
   int Distance = Straight;
   bool ConnectedOnly = true;
-  bool WeldSnapped = false;
   int Welded = 0;
   vtkIdType SimplifyCount = 0;
 

@@ -45,7 +45,6 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
       rules.minimumSpacing = this->MinimumSpacing;
       rules.spacing = this->Spacing;
       rules.minimumLength = this->MinimumLength;
-      rules.closedFraction = this->ClosedFraction;
       rules.refuseClosed = this->RefuseClosed;
       rules.maximumLength = this->MaximumLength;
       vtkDataArray* viewports = input->GetCellData()->GetArray("ViewportSize");
@@ -108,7 +107,6 @@ void vtkOversketchStrokeFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumSpacing: " << this->MinimumSpacing << '\n';
   os << indent << "Spacing: " << this->Spacing << '\n';
   os << indent << "MinimumLength: " << this->MinimumLength << '\n';
-  os << indent << "ClosedFraction: " << this->ClosedFraction << '\n';
   os << indent << "RefuseClosed: " << (this->RefuseClosed ? "on" : "off") << '\n';
   os << indent << "MaximumLength: " << this->MaximumLength << '\n';
 }

@@ -17,7 +17,7 @@
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadStroke, naming the stroke, when there is no
  * polyline or there are other cells, and for a stroke with fewer than two samples, with a sample that is not
  * finite, shorter than MinimumLength, longer than MaximumLength or 1e5 px, or closed. Closed means that its
- * ends are nearer than twice MinimumSpacing, or nearer than ClosedFraction of its length while it ends within
+ * ends are nearer than twice MinimumSpacing, or nearer than a tenth of its length while it ends within
  * 90 degrees of the direction it started in; a U round the tip of a limb comes back in the opposite direction
  * and passes. A polydata without points gives an empty output silently.
  *
@@ -82,15 +82,6 @@ public:
   vtkGetMacro(MaximumLength, double);
   ///@}
 
-  ///@{
-  /**
-   * A stroke that runs on from its end into its start over a gap of less than this fraction of its length is
-   * closed [0 to 1, default 0.1].
-   */
-  vtkSetClampMacro(ClosedFraction, double, 0.0, 1.0);
-  vtkGetMacro(ClosedFraction, double);
-  ///@}
-
 protected:
   vtkOversketchStrokeFilter() = default;
   ~vtkOversketchStrokeFilter() override = default;
@@ -104,7 +95,6 @@ private:
   double MinimumSpacing = 2.0;
   double Spacing = 2.0;
   double MinimumLength = 10.0;
-  double ClosedFraction = 0.1;
   bool RefuseClosed = true;
   double MaximumLength = 8.0;
 };

@@ -73,7 +73,7 @@ public:
       }
     }
     const Adjacency adjacency = buildAdjacency(mesh);
-    for (std::size_t e = 0; options.keepFeatures && e < adjacency.edges.size(); ++e)
+    for (std::size_t e = 0; e < adjacency.edges.size(); ++e)
     {
       const MeshEdge& edge = adjacency.edges[e];
       const int* t = adjacency.trianglesBegin(static_cast<int>(e));

@@ -13,7 +13,6 @@ struct ClusterOptions
 {
   int targetFaces = 0;       // 0: a quarter of what there are
   double maximumError = 0.0; // [model length] of a removed vertex from the faces in its place; 0: any
-  bool keepFeatures = true;  // vertices at edges of over 45 degrees stay
 };
 
 struct ClusterResult

@@ -38,19 +38,18 @@ struct Mark
 // What one curve asks of the faces near it.
 struct Demand
 {
-  double radius, height, sharpness, edgeLength;
+  double radius, sharpness, edgeLength;
   double footLength = HUGE_VAL; // the same of faces that the foot passes through
 };
 
 Demand demandOf(const FeatureCurve& curve, const RefineOptions& options)
 {
   Demand d{ curve.radius.value_or(options.radius),
-    curve.height.value_or(options.height),
     curve.sharpness.value_or(options.sharpness),
     options.targetEdgeLength };
   if (!(d.edgeLength > 0.0))
   {
-    const bool published = !options.fineFoot || options.profile, steepFoot = d.sharpness < 1.0;
+    const bool published = !options.fineFoot, steepFoot = d.sharpness < 1.0;
     d.edgeLength = d.radius * (!published && (steepFoot || d.sharpness > steepCrest) ? 0.125 : 0.25);
     d.footLength = !published && steepFoot ? d.radius * 0.03125 : d.footLength;
   }
@@ -279,24 +278,7 @@ private:
     }
     const int a = face.v[1], c = face.v[2];
     const double length = (this->Mesh.vertices[a].position - this->Mesh.vertices[c].position).norm();
-    if (length > demand.edgeLength || (length > demand.footLength && this->isFoot(face, demand.radius)))
-    {
-      return true;
-    }
-    if (!(this->Options.profileTolerance > 0.0))
-    {
-      return false;
-    }
-    const auto value = [&](double distance)
-    {
-      const double x = distance / demand.radius;
-      return !(x < 1.0)              ? 0.0
-             : this->Options.profile ? this->Options.profile(x)
-                                     : std::pow(1.0 - x, demand.sharpness);
-    };
-    const double error = value(this->Reach.distanceOfMiddle(a, c)) -
-                         0.5 * (value(this->Reach.distance(a)) + value(this->Reach.distance(c)));
-    return std::abs(demand.height * error) > this->Options.profileTolerance;
+    return length > demand.edgeLength || (length > demand.footLength && this->isFoot(face, demand.radius));
   }
 
   Forest& Mesh;
@@ -323,13 +305,9 @@ void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& option
   {
     throw Error(Failure::BadStroke, "The Radius must be a positive number.");
   }
-  for (double x : { options.height, options.targetEdgeLength, options.profileTolerance })
+  if (!std::isfinite(options.targetEdgeLength))
   {
-    if (!std::isfinite(x))
-    {
-      throw Error(
-        Failure::BadStroke, "Height, TargetEdgeLength and ProfileTolerance must be finite numbers.");
-    }
+    throw Error(Failure::BadStroke, "The TargetEdgeLength must be a finite number.");
   }
   if (!(options.sharpness >= 0.0 && std::isfinite(options.sharpness)))
   {

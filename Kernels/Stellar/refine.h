@@ -5,7 +5,6 @@
 #include "Stellar/distance.h"
 #include "Stellar/forest.h"
 
-#include <functional>
 #include <optional>
 
 namespace oversketch
@@ -15,7 +14,7 @@ namespace oversketch
 struct RefineOptions
 {
   double radius = 0.0; // above 0; faces with a vertex nearer than this to a curve are refined
-  double height = 0.0, sharpness = 1.5;
+  double sharpness = 1.5;
   // Faces whose refinement edge is longer are split. 0: a quarter of the radius. Where the sharpness is below
   // 1, and the feature's slope without bound at its foot, an eighth, and in faces at the foot
   // a thirty-second (ours), which else show saw-teeth; where one curve ends within another's reach
@@ -24,11 +23,6 @@ struct RefineOptions
   // a quarter everywhere, as published.
   double targetEdgeLength = 0.0;
   bool fineFoot = true;
-  // Above 0: split also while a displacement by the height would be farther from the middle of the refinement
-  // edge's than this.
-  double profileTolerance = 0.0;
-  // The profile over distance / radius in [0, 1); (1 - x)^sharpness where there is none.
-  std::function<double(double)> profile;
   CurveDistance distance = CurveDistance::Straight;
   bool connectedOnly = true;  // see ReachOptions; off: as published
   bool seedCurveFaces = true; // refine also faces that a curve passes through; off: as published

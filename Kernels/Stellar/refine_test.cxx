@@ -297,37 +297,6 @@ TEST(Refine, AFootInTheMidstOfAnotherCurveIsNone)
   EXPECT_GT(hidden, 20);
 }
 
-TEST(Refine, TheProfileToleranceBoundsTheErrorOfEdges)
-{
-  for (CurveDistance kind : { CurveDistance::Straight, CurveDistance::Geodesic })
-  {
-    RefineOptions options;
-    options.radius = 0.1;
-    options.height = 0.05;
-    options.targetEdgeLength = 10.0; // the profile alone
-    options.profileTolerance = 0.001;
-    options.distance = kind;
-    options.maximumGeneration = 24;
-    const Forest forest = refined(quadForest(4, 4), lineAcross(), options);
-    double worst = 0.0;
-    const auto value = [](double y) { return std::pow(std::max(0.0, 1.0 - std::abs(y - 0.3) / 0.1), 1.5); };
-    int inside = 0;
-    for (const Forest::Face& face : forest.faces)
-    {
-      const double a = forest.vertices[face.v[1]].position.y(), c = forest.vertices[face.v[2]].position.y();
-      const double top = forest.vertices[face.v[0]].position.y();
-      if (std::min({ std::abs(a - 0.3), std::abs(c - 0.3), std::abs(top - 0.3) }) < 0.1)
-      {
-        worst = std::max(worst, 0.05 * std::abs(value(0.5 * (a + c)) - 0.5 * (value(a) + value(c))));
-        ++inside;
-      }
-    }
-    EXPECT_GT(inside, 100);
-    EXPECT_LE(worst, kind == CurveDistance::Straight ? 0.001 : 0.0015);
-    EXPECT_TRUE(sameForest(refined(forest, lineAcross(), options), forest));
-  }
-}
-
 TEST(Refine, MovedToAnyPlaceAndScaleItIsTheSame)
 {
   const Mesh mesh = icosphere(2);
