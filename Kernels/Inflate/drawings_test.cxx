@@ -1,14 +1,14 @@
 // Surfaces from strokes on: approximation, triangulation, refinement and what is made of their mesh.
+#include "Harness/refine_runs.h"
 #include "Harness/shapes.h"
+#include "Harness/solid_shape.h"
 #include "Inflate/extrude.h"
 #include "Inflate/heights.h"
 #include "Inflate/inflate.h"
-#include "Inflate/solid_shape.h"
 #include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
 #include "Planar/guard.h"
-#include "Planar/refine_runs.h"
 #include "Raster/grid_smoothing.h"
 
 #include <gtest/gtest.h>

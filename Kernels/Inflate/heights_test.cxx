@@ -1,11 +1,11 @@
 // Facts of image-assisted.md, section 12: how high the surface stands.
 #include "Inflate/heights.h"
 
+#include "Harness/drawn_meshes.h"
+#include "Harness/inflation_chain.h"
 #include "Harness/shapes.h"
-#include "Inflate/drawn_meshes.h"
+#include "Harness/solid_shape.h"
 #include "Inflate/inflate.h"
-#include "Inflate/inflation_chain.h"
-#include "Inflate/solid_shape.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>

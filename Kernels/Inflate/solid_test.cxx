@@ -1,8 +1,8 @@
 // Facts of image-assisted.md, sections 12 to 14 and 17: the surfaces made of a drawing's mesh.
+#include "Harness/inflation_chain.h"
 #include "Harness/shapes.h"
+#include "Harness/solid_shape.h"
 #include "Inflate/extrude.h"
-#include "Inflate/inflation_chain.h"
-#include "Inflate/solid_shape.h"
 #include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"

@@ -2,7 +2,7 @@
 #include "Matrix/logarithm.h"
 
 #include "Harness/shapes.h"
-#include "Matrix/transformations.h"
+#include "Harness/transformations.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>

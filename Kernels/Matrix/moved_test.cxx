@@ -3,7 +3,7 @@
 
 #include "Harness/shapes.h"
 #include "Harness/threads.h"
-#include "Matrix/transformations.h"
+#include "Harness/transformations.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "Matrix/operations.h"
 
 #include "Harness/shapes.h"
-#include "Matrix/transformations.h"
+#include "Harness/transformations.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Strokes that cross, span and bound together: section 17 of image-assisted.md.
+#include "Harness/drawing_shapes.h"
 #include "Planar/arrange.h"
-#include "Raster/drawing_shapes.h"
 
 #include <gtest/gtest.h>
 

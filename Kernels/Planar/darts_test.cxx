@@ -1,6 +1,6 @@
 // Facts of image-assisted.md, section 8.
+#include "Harness/planar_shapes.h"
 #include "Planar/darts.h"
-#include "Planar/planar_shapes.h"
 #include "Planar/triangulate.h"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Facts of image-assisted.md, section 9, its amendment: no face turns over.
 #include "Planar/guard.h"
 
+#include "Harness/polygon_shapes.h"
+#include "Harness/refine_runs.h"
 #include "Harness/shapes.h"
-#include "Planar/polygon_shapes.h"
-#include "Planar/refine_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Facts of image-assisted.md, section 10: refinement with Catmull and Clark's masks; and both masks beside
 // those of CGAL where it is.
+#include "Harness/refine_shapes.h"
 #include "Harness/shapes.h"
 #include "Planar/guard.h"
-#include "Planar/refine_shapes.h"
 
 #include <gtest/gtest.h>
 

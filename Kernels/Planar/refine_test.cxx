@@ -1,9 +1,9 @@
 // Facts of image-assisted.md, section 9: refinement with Loop's masks, snapping, what is shared of a snap.
 #include "Planar/refine.h"
 
+#include "Harness/polygon_shapes.h"
 #include "Harness/shapes.h"
 #include "Planar/guard.h"
-#include "Planar/polygon_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Facts of image-assisted.md, sections 7 and 10: terminal triangles and merged ones.
+#include "Harness/planar_shapes.h"
 #include "Planar/darts.h"
 #include "Planar/merge_quads.h"
-#include "Planar/planar_shapes.h"
 #include "Planar/predicates.h"
 #include "Planar/relax.h"
 #include "Planar/terminal.h"

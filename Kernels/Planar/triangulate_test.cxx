@@ -1,6 +1,6 @@
 // Facts of image-assisted.md, section 7.
+#include "Harness/planar_shapes.h"
 #include "Planar/delaunay.h"
-#include "Planar/planar_shapes.h"
 #include "Planar/predicates.h"
 #include "Planar/triangulate.h"
 

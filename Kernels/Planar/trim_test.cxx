@@ -1,8 +1,8 @@
 #include "Planar/trim.h"
 
+#include "Harness/refine_runs.h"
+#include "Harness/refine_shapes.h"
 #include "Planar/guard.h"
-#include "Planar/refine_runs.h"
-#include "Planar/refine_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "Raster/apart.h"
 
-#include "Raster/drawing_shapes.h"
+#include "Harness/drawing_shapes.h"
 #include "Raster/meetings.h"
 #include "Stroke/resample.h"
 

@@ -3,8 +3,8 @@
 #include "Raster/distance_maps.h"
 #include "Raster/meetings.h"
 
+#include "Harness/drawing_shapes.h"
 #include "Harness/shapes.h"
-#include "Raster/drawing_shapes.h"
 
 #include <gtest/gtest.h>
 

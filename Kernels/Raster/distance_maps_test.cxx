@@ -1,8 +1,8 @@
 // Facts of image-assisted.md, section 11.
 #include "Raster/distance_maps.h"
 
+#include "Harness/drawing_shapes.h"
 #include "Harness/shapes.h"
-#include "Raster/drawing_shapes.h"
 
 #include <gtest/gtest.h>
 

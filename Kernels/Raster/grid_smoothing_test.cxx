@@ -1,8 +1,8 @@
 // Facts of image-assisted.md, sections 11 and 12: the smoothings' solves.
 #include "Raster/grid_smoothing.h"
 
+#include "Harness/drawing_shapes.h"
 #include "Harness/shapes.h"
-#include "Raster/drawing_shapes.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

@@ -1,8 +1,8 @@
 #include "Section/follow.h"
 
+#include "Harness/section_shapes.h"
 #include "Harness/threads.h"
 #include "Mesh/context.h"
-#include "Section/section_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Facts of editors.md, section 13, profile: what a new profile does.
 #include "Section/profile.h"
 
+#include "Harness/section_shapes.h"
 #include "Harness/threads.h"
 #include "Mesh/context.h"
-#include "Section/section_shapes.h"
 #include "Stroke/resketch.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Facts of editors.md, section 13, profile: the cross-section.
 #include "Section/walk.h"
 
+#include "Harness/section_shapes.h"
 #include "Mesh/context.h"
-#include "Section/section_shapes.h"
 
 #include <gtest/gtest.h>
 

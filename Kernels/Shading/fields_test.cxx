@@ -1,10 +1,10 @@
 // Facts of editors.md, section 13, flatten and texture: the fields.
 #include "Shading/fields.h"
 
+#include "Harness/patches.h"
 #include "Harness/threads.h"
 #include "Mesh/context.h"
 #include "Shading/layers.h"
-#include "Shading/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Facts of editors.md, section 13, flatten and texture: the disc.
 #include "Shading/flatten.h"
 
+#include "Harness/patches.h"
 #include "Harness/threads.h"
 #include "Mesh/context.h"
-#include "Shading/patches.h"
 
 #include <gtest/gtest.h>
 

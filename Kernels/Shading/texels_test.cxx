@@ -1,12 +1,12 @@
 // The disc as a picture, areas on it, and layers as a text says them.
 #include "Shading/texels.h"
 
+#include "Harness/patches.h"
 #include "Harness/threads.h"
 #include "Mesh/context.h"
 #include "Shading/fields.h"
 #include "Shading/flatten.h"
 #include "Shading/layer_list.h"
-#include "Shading/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
+#include "Harness/forest_shapes.h"
 #include "Stellar/clusters.h"
 #include "Stellar/defects.h"
-#include "Stellar/forest_shapes.h"
 #include "Stellar/refine.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
+#include "Harness/forest_shapes.h"
 #include "Stellar/defects.h"
-#include "Stellar/forest_shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #include "Stellar/displace.h"
 
-#include "Stellar/face_quality.h"
-#include "Stellar/feature_shapes.h"
+#include "Harness/face_quality.h"
+#include "Harness/feature_shapes.h"
 #include "Stellar/snap.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
+#include "Harness/forest_shapes.h"
 #include "Stellar/distance.h"
-#include "Stellar/forest_shapes.h"
 #include "Stellar/passage.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #include "Stellar/foot.h"
 
+#include "Harness/face_quality.h"
+#include "Harness/feature_shapes.h"
 #include "Stellar/displace.h"
-#include "Stellar/face_quality.h"
-#include "Stellar/feature_shapes.h"
 #include "Stellar/snap.h"
 
 #include <gtest/gtest.h>

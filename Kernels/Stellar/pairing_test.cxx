@@ -1,5 +1,5 @@
-#include "Stellar/face_quality.h"
-#include "Stellar/forest_shapes.h"
+#include "Harness/face_quality.h"
+#include "Harness/forest_shapes.h"
 #include "Stellar/pairing.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "Stellar/preview.h"
 
-#include "Stellar/feature_shapes.h"
+#include "Harness/feature_shapes.h"
 
 #include <gtest/gtest.h>
 

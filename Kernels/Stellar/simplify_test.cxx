@@ -1,4 +1,4 @@
-#include "Stellar/forest_shapes.h"
+#include "Harness/forest_shapes.h"
 #include "Stellar/refine.h"
 #include "Stellar/simplify.h"
 

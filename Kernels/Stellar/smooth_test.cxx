@@ -1,6 +1,6 @@
 #include "Stellar/smooth.h"
 
-#include "Stellar/feature_shapes.h"
+#include "Harness/feature_shapes.h"
 #include "Stellar/quality.h"
 #include "Stellar/snap.h"
 

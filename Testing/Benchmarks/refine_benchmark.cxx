@@ -4,8 +4,8 @@
 // CGAL's.
 #include "benchmark_frame.h"
 
+#include "Harness/refine_shapes.h"
 #include "Planar/refine.h"
-#include "Planar/refine_shapes.h"
 
 #include "vtkCellArray.h"
 #include "vtkLoopSubdivisionFilter.h"

@@ -3,8 +3,8 @@
 #define oversketch_filters_inflate_testing_drawing_chain_h
 
 #include "../../Planar/Testing/CurveShapes.h"
-#include "Inflate/drawn_meshes.h"
-#include "Inflate/solid_shape.h"
+#include "Harness/drawn_meshes.h"
+#include "Harness/solid_shape.h"
 #include "vtkOversketchClassify.h"
 #include "vtkOversketchDistance.h"
 #include "vtkOversketchExtrude.h"

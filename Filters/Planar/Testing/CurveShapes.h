@@ -2,8 +2,8 @@
 #ifndef oversketch_filters_planar_testing_curve_shapes_h
 #define oversketch_filters_planar_testing_curve_shapes_h
 
+#include "Harness/drawing_shapes.h"
 #include "Harness/promises.h"
-#include "Raster/drawing_shapes.h"
 #include "vtkOversketchDrawingTools.h"
 
 #include "vtkFieldData.h"

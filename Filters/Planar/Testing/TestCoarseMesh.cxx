@@ -1,5 +1,5 @@
 #include "CurveShapes.h"
-#include "Planar/planar_shapes.h"
+#include "Harness/planar_shapes.h"
 #include "vtkOversketchClassify.h"
 #include "vtkOversketchCoarseMesh.h"
 #include "vtkOversketchDarts.h"

@@ -5,8 +5,8 @@
 
 #include "Harness/chains.h"
 #include "Harness/edges.h"
+#include "Harness/patches.h"
 #include "Harness/promises.h"
-#include "Shading/patches.h"
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchFlatten.h"
 #include "vtkOversketchScanFill.h"

@@ -1,6 +1,6 @@
-// How the faces of a forest are shaped, for the tests of this folder. Header-only.
-#ifndef oversketch_kernels_stellar_face_quality_h
-#define oversketch_kernels_stellar_face_quality_h
+// How the faces of a forest are shaped, for tests. Header-only.
+#ifndef oversketch_testing_harness_face_quality_h
+#define oversketch_testing_harness_face_quality_h
 
 #include "Stellar/quality.h"
 

@@ -1,9 +1,9 @@
-// Drawings' meshes with known answers, for tests of what is made of them. Header-only; not installed.
-#ifndef oversketch_kernels_inflate_drawn_meshes_h
-#define oversketch_kernels_inflate_drawn_meshes_h
+// Drawings' meshes with known answers, for tests of what is made of them. Header-only.
+#ifndef oversketch_testing_harness_drawn_meshes_h
+#define oversketch_testing_harness_drawn_meshes_h
 
+#include "Harness/drawing_shapes.h"
 #include "Planar/planar_mesh.h"
-#include "Raster/drawing_shapes.h"
 
 #include <functional>
 #include <map>

@@ -1,6 +1,6 @@
-// Transformations by their names, for the tests of this folder. Header-only.
-#ifndef oversketch_kernels_matrix_transformations_h
-#define oversketch_kernels_matrix_transformations_h
+// Transformations by their names, for tests. Header-only.
+#ifndef oversketch_testing_harness_transformations_h
+#define oversketch_testing_harness_transformations_h
 
 #include "Matrix/logarithm.h"
 #include "Mesh/mesh.h"

@@ -1,6 +1,6 @@
-// What a surface of triangles and quads is, for tests. Header-only; not installed.
-#ifndef oversketch_kernels_inflate_solid_shape_h
-#define oversketch_kernels_inflate_solid_shape_h
+// What a surface of triangles and quads is, for tests. Header-only.
+#ifndef oversketch_testing_harness_solid_shape_h
+#define oversketch_testing_harness_solid_shape_h
 
 #include "Inflate/sheet.h"
 #include "Inflate/solid.h"

@@ -1,6 +1,6 @@
-// Strokes and measures that the raster's tests share. Header-only; not installed.
-#ifndef oversketch_kernels_raster_drawing_shapes_h
-#define oversketch_kernels_raster_drawing_shapes_h
+// Strokes and measures that the raster's tests share. Header-only.
+#ifndef oversketch_testing_harness_drawing_shapes_h
+#define oversketch_testing_harness_drawing_shapes_h
 
 #include "Harness/threads.h"
 #include "Raster/distance_maps.h"

@@ -1,6 +1,6 @@
-// Forests with known answers and what is asked of them, for the tests of this folder. Header-only.
-#ifndef oversketch_kernels_stellar_forest_shapes_h
-#define oversketch_kernels_stellar_forest_shapes_h
+// Forests with known answers and what is asked of them, for tests. Header-only.
+#ifndef oversketch_testing_harness_forest_shapes_h
+#define oversketch_testing_harness_forest_shapes_h
 
 #include "Harness/data.h"
 #include "Harness/shapes.h"

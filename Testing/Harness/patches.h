@@ -1,6 +1,6 @@
-// Patches with known answers, for the tests of this folder. Header-only.
-#ifndef oversketch_kernels_shading_patches_h
-#define oversketch_kernels_shading_patches_h
+// Patches with known answers, for tests. Header-only.
+#ifndef oversketch_testing_harness_patches_h
+#define oversketch_testing_harness_patches_h
 
 #include "Harness/shapes.h"
 

@@ -1,8 +1,8 @@
-// From rims to the surface, for tests. Header-only; not installed.
-#ifndef oversketch_kernels_inflate_inflation_chain_h
-#define oversketch_kernels_inflate_inflation_chain_h
+// From rims to the surface, for tests. Header-only.
+#ifndef oversketch_testing_harness_inflation_chain_h
+#define oversketch_testing_harness_inflation_chain_h
 
-#include "Inflate/drawn_meshes.h"
+#include "Harness/drawn_meshes.h"
 #include "Inflate/heights.h"
 #include "Inflate/inflate.h"
 #include "Mesh/context.h"

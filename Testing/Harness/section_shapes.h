@@ -1,6 +1,6 @@
-// Regions with their frames and cross-sections, for the tests of this folder. Header-only.
-#ifndef oversketch_kernels_section_section_shapes_h
-#define oversketch_kernels_section_section_shapes_h
+// Regions with their frames and cross-sections, for tests. Header-only.
+#ifndef oversketch_testing_harness_section_shapes_h
+#define oversketch_testing_harness_section_shapes_h
 
 #include "Harness/regions.h"
 #include "Section/follow.h"

@@ -1,8 +1,8 @@
-// 4-8 meshes and feature curves with known answers, for the tests of features in this folder. Header-only.
-#ifndef oversketch_kernels_stellar_feature_shapes_h
-#define oversketch_kernels_stellar_feature_shapes_h
+// 4-8 meshes and feature curves with known answers, for tests of features. Header-only.
+#ifndef oversketch_testing_harness_feature_shapes_h
+#define oversketch_testing_harness_feature_shapes_h
 
-#include "Stellar/forest_shapes.h"
+#include "Harness/forest_shapes.h"
 #include "Stellar/refine.h"
 
 namespace oversketch_test

@@ -1,9 +1,8 @@
-// Drawings of one closed stroke whose coarse mesh is its polygon, for tests of refinement. Header-only; not
-// installed.
-#ifndef oversketch_kernels_planar_polygon_shapes_h
-#define oversketch_kernels_planar_polygon_shapes_h
+// Drawings of one closed stroke whose coarse mesh is its polygon, for tests of refinement. Header-only.
+#ifndef oversketch_testing_harness_polygon_shapes_h
+#define oversketch_testing_harness_polygon_shapes_h
 
-#include "Planar/refine_shapes.h"
+#include "Harness/refine_shapes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
-// From strokes to the refined mesh, with what the guard hands back, for tests. Header-only; not installed.
-#ifndef oversketch_kernels_planar_refine_runs_h
-#define oversketch_kernels_planar_refine_runs_h
+// From strokes to the refined mesh, with what the guard hands back, for tests. Header-only.
+#ifndef oversketch_testing_harness_refine_runs_h
+#define oversketch_testing_harness_refine_runs_h
 
+#include "Harness/planar_shapes.h"
 #include "Planar/darts.h"
 #include "Planar/merge_quads.h"
-#include "Planar/planar_shapes.h"
 #include "Planar/refine.h"
 #include "Planar/splits.h"
 #include "Planar/terminal.h"

@@ -1,13 +1,13 @@
-// Drawings on the unit canvas that the planar kernels' tests share. Header-only; not installed.
-#ifndef oversketch_kernels_planar_planar_shapes_h
-#define oversketch_kernels_planar_planar_shapes_h
+// Drawings on the unit canvas that the planar kernels' tests share. Header-only.
+#ifndef oversketch_testing_harness_planar_shapes_h
+#define oversketch_testing_harness_planar_shapes_h
 
 #include "Planar/approximate.h"
 #include "Planar/stroke_line.h"
 #include "Stroke/resample.h"
 
+#include "Harness/drawing_shapes.h"
 #include "Harness/shapes.h"
-#include "Raster/drawing_shapes.h"
 
 #include <functional>
 #include <random>

@@ -1,10 +1,10 @@
-// Drawings with coarse meshes made by hand, for tests of their refinement. Header-only; not installed.
-#ifndef oversketch_kernels_planar_refine_shapes_h
-#define oversketch_kernels_planar_refine_shapes_h
+// Drawings with coarse meshes made by hand, for tests of their refinement. Header-only.
+#ifndef oversketch_testing_harness_refine_shapes_h
+#define oversketch_testing_harness_refine_shapes_h
 
+#include "Harness/drawing_shapes.h"
 #include "Planar/face_edges.h"
 #include "Planar/refine.h"
-#include "Raster/drawing_shapes.h"
 
 #include <array>
 #include <random>
