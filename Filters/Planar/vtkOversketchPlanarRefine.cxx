@@ -72,7 +72,7 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       options.levels = fromSketch ? 0 : this->Levels;
       const bool onceMore = this->LargeFacesOnceMore && !this->AsPublished && !fromSketch && this->Levels > 0;
       options.snapShare = this->SnapShare;
-      options.guard = this->Guard && !this->AsPublished;
+      options.guard = !this->AsPublished;
       options.quads = this->Quads;
       Cache& cache = *this->Internals;
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
@@ -127,7 +127,6 @@ void vtkOversketchPlanarRefine::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
   os << indent << "LargeFacesOnceMore: " << this->LargeFacesOnceMore << "\n";
   os << indent << "SnapShare: " << this->SnapShare << "\n";
-  os << indent << "Guard: " << this->Guard << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "SplitsAreTaken: " << this->SplitsAreTaken << "\n";

@@ -5,10 +5,10 @@
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.3, Fig. 9: smooth subdivision, Loop's of
  * triangles, Catmull and Clark's where there are quads (Sec. 2.2.4); each new point of an edge on a stroke
  * goes onto it, to the middle of the edge's part of it; a portion of what points of features move by goes to
- * their neighbours. Departure: on most real outlines triangles turn over by that. Guard takes what free
- * points moved by back where they do, and where strokes leave no room all the same hands the strokes' parts
- * back, for a closer approximation, as it does those that have samples farther from the refined edges than
- * 0.004 of the canvas (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
+ * their neighbours. Departure: on most real outlines triangles turn over by that. What free
+ * points moved by is taken back where they do, and where strokes leave no room all the same hands the
+ * strokes' parts back, for a closer approximation, as it does those that have samples farther from the
+ * refined edges than 0.004 of the canvas (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
  * vtkOversketchStellarRefine and vtkOversketchRemesh, which refine meshes of other kinds by other means.
  *
  * Input 0 (Mesh): triangles or quads of vtkOversketchCoarseMesh or vtkOversketchQuadMerge, with their arrays.
@@ -24,15 +24,16 @@
  *
  * Output 2 (Splits): parts of strokes to be approximated closer, for vtkOversketchPolyline: lines with cell
  * arrays StrokeId, ParamStart, ParamEnd and Halvings, 1. Where there are any, the other outputs are empty and
- * a warning says so: a pipeline has no loop, which vtkOversketchInflateDrawing is for. Empty without Guard.
+ * a warning says so: a pipeline has no loop, which vtkOversketchInflateDrawing is for. Empty as published.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): MissingArray and BadMesh, naming array, face or
  * edge, where mesh and edges are not sound or not of these curves, and for more than 2^24 faces; BadStroke
  * for Levels or SnapShare out of range. A mesh without points gives empty outputs silently.
  *
- * Deterministic: same result bit for bit for any number of threads, and with and without Guard where it
- * hands nothing back and nothing turns over. The result stays, as the same arrays, while mesh, edges, curves
- * and parameters do; what strokes are treated as is not read. Cost: some 0.3 microseconds a face.
+ * Deterministic: same result bit for bit for any number of threads, and as published where what guards
+ * triangles hands nothing back and nothing turns over. The result stays, as the same arrays, while mesh,
+ * edges, curves and parameters do; what strokes are treated as is not read. Cost: some 0.3 microseconds a
+ * face.
  *
  * @sa vtkOversketchTrimHoles
  */
@@ -114,16 +115,8 @@ public:
 
   ///@{
   /**
-   * Whether triangles are kept from turning over [default on].
-   */
-  vtkSetMacro(Guard, bool);
-  vtkGetMacro(Guard, bool);
-  vtkBooleanMacro(Guard, bool);
-  ///@}
-
-  ///@{
-  /**
-   * As published: Guard, LevelsFromSketch and LargeFacesOnceMore do not count as on [default off].
+   * As published: triangles may turn over, LevelsFromSketch and LargeFacesOnceMore do not count as on
+   * [default off].
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -179,7 +172,6 @@ private:
   bool LevelsFromSketch = false;
   bool LargeFacesOnceMore = false;
   double SnapShare = 0.3;
-  bool Guard = true;
   bool AsPublished = false;
   bool Quads = false;
   bool SplitsAreTaken = false;

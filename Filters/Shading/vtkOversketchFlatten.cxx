@@ -21,6 +21,8 @@
 using namespace oversketch;
 
 // The last disc, and what it was made of.
+constexpr int balancingRounds = 10; // at most; it ends where the disc is even
+
 struct vtkOversketchFlatten::Cache
 {
   StepKey Key;
@@ -136,10 +138,9 @@ int vtkOversketchFlatten::RequestData(vtkInformation*,
       {
         return;
       }
-      const int rounds = this->AsPublished ? 0 : this->Rounds;
+      const int rounds = this->AsPublished ? 0 : balancingRounds;
       const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
-      const StepKey key(
-        { InsideKey(mesh) }, { static_cast<double>(rounds), static_cast<double>(this->AsPublished) });
+      const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
       Cache& cache = *this->Internals;
       if (!cache.Made || cache.Key != key)
       {
@@ -164,7 +165,6 @@ int vtkOversketchFlatten::RequestData(vtkInformation*,
 void vtkOversketchFlatten::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Rounds: " << this->Rounds << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "FlattenCount: " << this->FlattenCount << "\n";
 }

@@ -62,15 +62,7 @@ public:
 
   ///@{
   /**
-   * Rounds of balancing at most; it ends where the disc is even [0 to 100, default 10; as published: 0].
-   */
-  vtkSetClampMacro(Rounds, int, 0, 100);
-  vtkGetMacro(Rounds, int);
-  ///@}
-
-  ///@{
-  /**
-   * Flatten as printed: with the ring, without balancing whatever Rounds says [default off].
+   * Flatten as printed: with the ring, without balancing [default off].
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -92,7 +84,6 @@ private:
   vtkOversketchFlatten(const vtkOversketchFlatten&) = delete;
   void operator=(const vtkOversketchFlatten&) = delete;
 
-  int Rounds = 10;
   bool AsPublished = false;
   vtkIdType FlattenCount = 0;
 

@@ -22,6 +22,8 @@
 using namespace oversketch;
 
 // The loops of the last mesh, view and window.
+constexpr double attachDistance = 3.0; // px
+
 struct vtkOversketchOutline::Cache
 {
   std::shared_ptr<const MeshData> Data;
@@ -217,7 +219,7 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
           visible.back().display.clear();
         }
       }
-      const auto outlines = attachSilhouette(cache.Loops, visible, this->AttachDistance, true);
+      const auto outlines = attachSilhouette(cache.Loops, visible, attachDistance, true);
 
       const double defaultDepth = SomeDepth(mesh, view);
       std::vector<Curve> curves;
@@ -256,5 +258,4 @@ int vtkOversketchOutline::RequestData(vtkInformation*,
 void vtkOversketchOutline::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "AttachDistance: " << this->AttachDistance << '\n';
 }

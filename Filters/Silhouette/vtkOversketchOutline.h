@@ -5,7 +5,7 @@
  * Source: an amendment to Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.3
  * (specification 13.1): toes, fingers, cusps and T-junctions cut the silhouette, and no single piece of it
  * can carry a stroke round a limb's tip. So the boundary loops (outer ones and holes) of the pixels that the
- * mesh covers are candidates for matching too; visible silhouette points within AttachDistance of a loop are
+ * mesh covers are candidates for matching too; visible silhouette points within 3 px of a loop are
  * inserted in their order along it. A curve that leaves the loop sideways or runs back along it is not
  * attached there. The loop's points lie exactly on the boundary of the covered area, where it crosses the
  * lines between pixel centres, and are smoothed by five taps. Departure: every mesh edge that the loop is the
@@ -70,14 +70,6 @@ public:
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
   void SetCurvesData(vtkPolyData* curves);
 
-  ///@{
-  /**
-   * Silhouette points farther than this from every loop are not attached [px, >= 0, default 3].
-   */
-  vtkSetClampMacro(AttachDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(AttachDistance, double);
-  ///@}
-
   /**
    * How often the loops have been traced since the filter was made.
    */
@@ -92,8 +84,6 @@ protected:
 private:
   vtkOversketchOutline(const vtkOversketchOutline&) = delete;
   void operator=(const vtkOversketchOutline&) = delete;
-
-  double AttachDistance = 3.0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

@@ -59,13 +59,12 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
       }
       const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
       VisibilityOptions options;
-      options.cuspAngle = this->CuspAngle;
       options.rejoin = this->Rejoin;
       options.backend = this->KernelBackend();
       Cache& cache = *this->Internals;
       cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) },
                            view,
-                           { this->CuspAngle, double(this->Rejoin), double(this->GetBackend()) }),
+                           { double(this->Rejoin), double(this->GetBackend()) }),
         output,
         [&](vtkPolyData* result)
         {
@@ -101,7 +100,5 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
 void vtkOversketchVisibility::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "CuspAngle: " << this->CuspAngle << "\n"
-     << indent << "Rejoin: " << this->Rejoin << "\n"
-     << indent << "TestCount: " << this->TestCount << "\n";
+  os << indent << "Rejoin: " << this->Rejoin << "\n" << indent << "TestCount: " << this->TestCount << "\n";
 }

@@ -3,7 +3,7 @@
  * @brief tells visible from hidden parts of silhouette curves
  *
  * Source: Bao and Howard, "SEED: Sketch-Based 3D Model Deformation", Sec. 3.2, Fig. 6. On the image plane
- * curves are cut at cusps (three consecutive points that form an angle below CuspAngle) and where they cross
+ * curves are cut at cusps (three consecutive points that form an angle below 90 degrees) and where they cross
  * themselves or each other; each part is visible as a whole if at least one of its points is, for smoothing
  * may have covered others. The point test runs every triangle against every point: bounding box, then 2D
  * containment and depth.
@@ -66,15 +66,6 @@ public:
 
   ///@{
   /**
-   * A curve is cut where three consecutive points form a smaller angle than this on the image plane
-   * [degrees], 0 to 180. Default 90, the paper's pi / 2.
-   */
-  vtkSetClampMacro(CuspAngle, double, 0.0, 180.0);
-  vtkGetMacro(CuspAngle, double);
-  ///@}
-
-  ///@{
-  /**
    * Whether neighbouring visible parts of one curve become one polyline again. Default on; off leaves all
    * parts.
    */
@@ -98,7 +89,6 @@ private:
   vtkOversketchVisibility(const vtkOversketchVisibility&) = delete;
   void operator=(const vtkOversketchVisibility&) = delete;
 
-  double CuspAngle = 90.0;
   bool Rejoin = true;
   vtkIdType TestCount = 0;
 

@@ -147,9 +147,7 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
         output->ShallowCopy(input);
         return;
       }
-      std::vector<double> values{ static_cast<double>(this->ImprovePairs),
-        static_cast<double>(this->EagerPairs),
-        static_cast<double>(this->Mode) };
+      std::vector<double> values{ static_cast<double>(this->ImprovePairs), static_cast<double>(this->Mode) };
       if (this->Mode == Simplified)
       {
         RequireFinite(this->MaximumError, "MaximumError");
@@ -166,7 +164,6 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
           cache.Surface = nullptr;
           PairingOptions options;
           options.improvePairs = this->ImprovePairs;
-          options.eagerPairs = this->EagerPairs;
           const Mesh mesh = MeshOf(input);
           if (this->Mode == Direct)
           {
@@ -215,7 +212,6 @@ void vtkOversketchStellarBase::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumError: " << this->MaximumError << "\n";
   os << indent << "SourceTolerance: " << this->SourceTolerance << "\n";
   os << indent << "ImprovePairs: " << this->ImprovePairs << "\n";
-  os << indent << "EagerPairs: " << this->EagerPairs << "\n";
   os << indent << "Pairs: " << this->Pairs << "\n";
   os << indent << "Unpaired: " << this->Unpaired << "\n";
   os << indent << "BaseCount: " << this->BaseCount << "\n";

@@ -111,15 +111,6 @@ public:
 
   ///@{
   /**
-   * Split every pair at once, as Velho's library does, so that all neighbours are alike [default off].
-   */
-  vtkSetMacro(EagerPairs, bool);
-  vtkGetMacro(EagerPairs, bool);
-  vtkBooleanMacro(EagerPairs, bool);
-  ///@}
-
-  ///@{
-  /**
    * Of the last base that was made: pairs and triangles that stayed alone.
    */
   vtkGetMacro(Pairs, int);
@@ -148,7 +139,6 @@ private:
   double MaximumError = 0.0;
   double SourceTolerance = -1.0;
   bool ImprovePairs = true;
-  bool EagerPairs = false;
   int Pairs = 0, Unpaired = 0;
   vtkIdType BaseCount = 0;
 

@@ -58,9 +58,7 @@ int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
     [&](const CurveStep& step)
     {
       const std::vector<double> values{ static_cast<double>(this->Rings),
-        this->Relaxation,
-        static_cast<double>(this->Iterations),
-        this->MinimumAngle };
+        static_cast<double>(this->Iterations) };
       const FeatureCurves curves = CurvesOf(step.curves);
       this->Internals->Step.Provide(step.mesh,
         { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
@@ -74,9 +72,7 @@ int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
           ++this->SmoothCount;
           SmoothOptions options;
           options.rings = this->Rings;
-          options.relaxation = this->Relaxation;
           options.iterations = this->Iterations;
-          options.minimumAngle = this->MinimumAngle;
           options.parts = PartsOf(step.mesh, before);
           const MidpointRule rule =
             midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
@@ -93,9 +89,7 @@ void vtkOversketchStellarSmooth::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Rings: " << this->Rings << "\n";
-  os << indent << "Relaxation: " << this->Relaxation << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
-  os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
   os << indent << "Moved: " << this->Moved << "\n";
   os << indent << "Refused: " << this->Refused << "\n";
   os << indent << "SmoothCount: " << this->SmoothCount << "\n";

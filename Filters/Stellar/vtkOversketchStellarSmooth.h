@@ -6,7 +6,7 @@
  * within their tangent planes, towards the mean of their neighbours. Departures: of the whole mesh, as
  * printed, only the vertices within some rings round snapped ones move (Rings), since all others are as they
  * were drawn on; snapped vertices, crests of earlier strokes, the border and seams stay; moves that would
- * spoil a triangle are refused (MinimumAngle).
+ * spoil a triangle are refused: an angle would be under 5 degrees and smaller than before.
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
  * (optional): as for vtkOversketchStellarSnap.
@@ -65,27 +65,10 @@ public:
 
   ///@{
   /**
-   * Share of the way to the mean of the neighbours, above 0, at most 1 [default 1].
-   */
-  vtkSetMacro(Relaxation, double);
-  vtkGetMacro(Relaxation, double);
-  ///@}
-
-  ///@{
-  /**
    * How many times [default 1].
    */
   vtkSetClampMacro(Iterations, int, 0, VTK_INT_MAX);
   vtkGetMacro(Iterations, int);
-  ///@}
-
-  ///@{
-  /**
-   * A vertex does not move where an angle round it would be under this and smaller than before [degrees, 0 to
-   * 60, default 5].
-   */
-  vtkSetMacro(MinimumAngle, double);
-  vtkGetMacro(MinimumAngle, double);
   ///@}
 
   ///@{
@@ -115,9 +98,7 @@ private:
   void operator=(const vtkOversketchStellarSmooth&) = delete;
 
   int Rings = 2;
-  double Relaxation = 1.0;
   int Iterations = 1;
-  double MinimumAngle = 5.0;
   int Moved = 0, Refused = 0;
   vtkIdType SmoothCount = 0;
 

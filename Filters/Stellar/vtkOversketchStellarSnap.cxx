@@ -59,9 +59,8 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
     outputs,
     [&](const CurveStep& step)
     {
-      std::vector<double> values{
-        static_cast<double>(this->Order), this->MinimumAngle, static_cast<double>(this->MaximumResidualRounds)
-      };
+      std::vector<double> values{ static_cast<double>(this->Order),
+        static_cast<double>(this->MaximumResidualRounds) };
       if (this->SnapFoot)
       {
         values.insert(
@@ -80,7 +79,6 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
           ++this->SnapCount;
           SnapOptions options;
           options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
-          options.minimumAngle = this->MinimumAngle;
           options.maximumResidualRounds = this->MaximumResidualRounds;
           options.parts = PartsOf(step.mesh, before);
           const MidpointRule rule =
@@ -99,7 +97,6 @@ int vtkOversketchStellarSnap::RequestData(vtkInformation*,
             foot.radius = LengthOf(this->Radius, 0.03, before, "Radius");
             foot.sharpness = this->Sharpness;
             foot.connectedOnly = this->ConnectedOnly;
-            foot.minimumAngle = this->MinimumAngle;
             foot.parts = options.parts;
             this->FootMoved = snapFoot(forest, curves, foot, step.context).moved;
           }
@@ -116,7 +113,6 @@ void vtkOversketchStellarSnap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Order: " << this->Order << "\n";
-  os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
   os << indent << "MaximumResidualRounds: " << this->MaximumResidualRounds << "\n";
   os << indent << "SnapFoot: " << this->SnapFoot << "\n";
   os << indent << "Radius: " << this->Radius << "\n";

@@ -5,9 +5,10 @@
  * Source: "Sketch-based Adaptive Mesh Augmentation using Stellar Operators", Sec. III-C.1: each vertex moves
  * to the nearest crossing of its edges with a curve. Departures, undone by the order AllAtOnce: crossings are
  * taken one by one, the nearest of all first; those that a snapped vertex explains are left alone; moves that
- * would spoil a triangle are refused (MinimumAngle); where edges are still crossed an end goes along a curve,
- * to where it meets another, or they are split (MaximumResidualRounds). Vertices on the border and on seams
- * move along those only. Ours too: steep features get edges along their foot (SnapFoot).
+ * would spoil a triangle are refused (an angle under 5 degrees and smaller than before); where edges are
+ * still crossed an end goes along a curve, to where it meets another, or they are split
+ * (MaximumResidualRounds). Vertices on the border and on seams move along those only. Ours too: steep
+ * features get edges along their foot (SnapFoot).
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
  * (optional): one whole number per triangle, as for vtkOversketchRemesh; where neighbours have different ones
@@ -73,15 +74,6 @@ public:
   vtkGetMacro(Order, int);
   void SetOrderToNearest() { this->SetOrder(Nearest); }
   void SetOrderToAllAtOnce() { this->SetOrder(AllAtOnce); }
-  ///@}
-
-  ///@{
-  /**
-   * A vertex does not move where an angle round it would be under this and smaller than before [degrees, 0 to
-   * 60, default 5].
-   */
-  vtkSetMacro(MinimumAngle, double);
-  vtkGetMacro(MinimumAngle, double);
   ///@}
 
   ///@{
@@ -170,7 +162,6 @@ private:
   void operator=(const vtkOversketchStellarSnap&) = delete;
 
   int Order = Nearest;
-  double MinimumAngle = 5.0;
   int MaximumResidualRounds = 2;
   bool SnapFoot = true;
   double Radius = -1.0;

@@ -14,6 +14,8 @@ using namespace oversketch;
 namespace
 {
 
+constexpr double closingDistance = 8.0; // px
+
 // The stroke as it is, closed where it comes back; a last sample upon the first is the first.
 std::vector<Blend> ringPlaces(const DrawnLine& stroke, double closingDistance, char& closed)
 {
@@ -60,7 +62,7 @@ int vtkOversketchChaikin::RequestData(vtkInformation*,
         {
           closed[i] = strokes[i].Closed;
           places.push_back(pass == 0
-                             ? ringPlaces(strokes[i], this->ClosingDistance, closed[i])
+                             ? ringPlaces(strokes[i], closingDistance, closed[i])
                              : chaikinPass(static_cast<int>(strokes[i].Samples.size()), strokes[i].Closed));
         }
         vtkNew<vtkPolyData> next;
@@ -76,5 +78,4 @@ void vtkOversketchChaikin::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Iterations: " << this->Iterations << "\n";
-  os << indent << "ClosingDistance: " << this->ClosingDistance << "\n";
 }

@@ -6,7 +6,7 @@
  * by Chaikin's subdivision in the picture, before they are projected. Each pass puts a sample at a quarter
  * and at three quarters of every segment; their limit is the quadratic B-spline of the samples. The paper
  * leaves open, and here is chosen: the number of passes; an open stroke keeps its ends; a stroke that comes
- * back to its start becomes a ring. Departure: a stroke whose ends are nearer than ClosingDistance is no ring
+ * back to its start becomes a ring. Departure: a stroke whose ends are nearer than 8 px is no ring
  * where they are half its length or more apart, which is a hook of a few pixels.
  *
  * Input 0 (Strokes): stroke polydata: polylines in display coordinates [px from the viewport's lower left
@@ -46,15 +46,6 @@ public:
   vtkGetMacro(Iterations, int);
   ///@}
 
-  ///@{
-  /**
-   * A stroke whose ends are nearer than this is closed [px, >= 0, default 8, twice the default spacing of
-   * vtkOversketchStrokeThinning; 0 closes none].
-   */
-  vtkSetClampMacro(ClosingDistance, double, 0.0, VTK_DOUBLE_MAX);
-  vtkGetMacro(ClosingDistance, double);
-  ///@}
-
 protected:
   vtkOversketchChaikin() = default;
   ~vtkOversketchChaikin() override = default;
@@ -66,7 +57,6 @@ private:
   void operator=(const vtkOversketchChaikin&) = delete;
 
   int Iterations = 2;
-  double ClosingDistance = 8.0;
 };
 
 #endif

@@ -263,7 +263,7 @@ void vtkOversketchMagneticSnap::Prepare()
   }
   try
   {
-    this->Internals->Edges(picture, PlaceOf(picture), this->Together && !this->AsPublished, this->EdgeCount);
+    this->Internals->Edges(picture, PlaceOf(picture), !this->AsPublished, this->EdgeCount);
   }
   catch (const Error&) // whose message the stroke has
   {
@@ -289,11 +289,13 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       }
       Search search(curves, vtkImageData::GetData(inputs[1]));
       LivewireRules& rules = search.Rules;
-      rules.edgeAngle = vtkMath::RadiansFromDegrees(this->AsPublished ? 180.0 : this->EdgeAngle);
-      rules.sigma = this->AsPublished ? 0.0 : this->SnapSigma;
-      rules.together = this->Together && !this->AsPublished;
-      const double together = rules.together ? 1.0 : 0.0;
-      const StepKey rulesKey({}, { rules.edgeAngle, rules.sigma, together });
+      if (this->AsPublished)
+      {
+        rules.edgeAngle = vtkMath::Pi();
+        rules.sigma = 0.0;
+        rules.together = false;
+      }
+      const StepKey rulesKey({}, { this->AsPublished ? 1.0 : 0.0 });
       Cache& cache = *this->Internals;
       if (cache.RulesKey != rulesKey)
       {
@@ -373,9 +375,6 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
 void vtkOversketchMagneticSnap::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "EdgeAngle: " << this->EdgeAngle << "\n";
-  os << indent << "SnapSigma: " << this->SnapSigma << "\n";
-  os << indent << "Together: " << this->Together << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "EdgeCount: " << this->EdgeCount << "\n";
   os << indent << "SnapCount: " << this->SnapCount << "\n";

@@ -6,9 +6,10 @@
  * a fixed distance of the stroke, between seeds of its polyline approximation (tolerance 0.05 of the canvas's
  * longest side), and replace it only where edges are strong; elsewhere what was drawn stays. Corridor,
  * weights and thresholds are open there; Kernels/Stroke/livewire.h says what they are here. Departures: an
- * edge counts only where it runs along the stroke (EdgeAngle); what was replaced is smoothed (SnapSigma),
- * since stairs of pixels breed false corners; and paths are looked for together, near the stroke, along edges
- * of colours (Together), since the strongest edge of the brightness within reach is often another one.
+ * edge counts only where it runs along the stroke (within 45 degrees); what was replaced is smoothed (by a
+ * deviation of 1 px), since stairs of pixels breed false corners; and paths are looked for together, near the
+ * stroke, along edges of colours, since the strongest edge of the brightness within reach is often another
+ * one.
  *
  * Input 0 (Curves): curves of vtkOversketchCanvas. Cell arrays Magnetic, without which no stroke is, and
  * SnapRadius, half the corridor's width [px of the picture; without it 10, less than 3 counts as 3]. Field
@@ -58,36 +59,8 @@ public:
 
   ///@{
   /**
-   * An edge whose tangent differs by more from the stroke's does not count [degrees, 0 to 180, default 45;
-   * 180, as published].
-   */
-  vtkSetClampMacro(EdgeAngle, double, 0.0, 180.0);
-  vtkGetMacro(EdgeAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * What was replaced is smoothed along itself with this deviation [px of the picture, 0 to 100, default 1;
-   * 0, as published].
-   */
-  vtkSetClampMacro(SnapSigma, double, 0.0, 100.0);
-  vtkGetMacro(SnapSigma, double);
-  ///@}
-
-  ///@{
-  /**
-   * The paths of all parts of a stroke are the cheapest together, dearer the farther they are from it, along
-   * edges that are strong among those near, of the colour channel that changes most; else each runs between
-   * the strongest edges beside two seeds, along edges of the brightness, as published. Default on.
-   */
-  vtkSetMacro(Together, bool);
-  vtkGetMacro(Together, bool);
-  vtkBooleanMacro(Together, bool);
-  ///@}
-
-  ///@{
-  /**
-   * As the paper prints it: EdgeAngle counts as 180, SnapSigma as 0, Together as off. Default off.
+   * As the paper prints it: edges count at any angle, nothing is smoothed, and each part runs between the
+   * strongest edges of the brightness beside its two seeds. Default off.
    */
   vtkSetMacro(AsPublished, bool);
   vtkGetMacro(AsPublished, bool);
@@ -120,9 +93,6 @@ private:
   vtkOversketchMagneticSnap(const vtkOversketchMagneticSnap&) = delete;
   void operator=(const vtkOversketchMagneticSnap&) = delete;
 
-  double EdgeAngle = 45.0;
-  double SnapSigma = 1.0;
-  bool Together = true;
   bool AsPublished = false;
   vtkIdType EdgeCount = 0;
   vtkIdType SnapCount = 0;

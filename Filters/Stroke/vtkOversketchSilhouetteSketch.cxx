@@ -164,7 +164,7 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
                           MeshKey(silhouette,
                             { silhouette->GetPointData()->GetArray("Normals"),
                               silhouette->GetCellData()->GetArray("Visible") }) },
-        { static_cast<double>(this->Projection), this->MaximumStep, this->FixEnds ? 1.0 : 0.0 });
+        { static_cast<double>(this->Projection), this->MaximumStep });
       cache.Kept.Provide(key,
         vtkPolyData::GetData(outputs, 0),
         [&](vtkPolyData* result)
@@ -181,7 +181,6 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
           const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
           SketchRules rules;
           rules.projection = static_cast<SketchProjection>(this->Projection);
-          rules.fixEnds = this->FixEnds;
           rules.maximumStep = this->MaximumStep < 0.0 ? 0.03 * surface.diagonal() : this->MaximumStep;
           const SilhouetteSketch sketch = sketchSilhouette(surface,
             ViewOfStroke(strokes, 0),
@@ -206,7 +205,6 @@ void vtkOversketchSilhouetteSketch::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Projection: " << this->Projection << "\n";
   os << indent << "MaximumStep: " << this->MaximumStep << "\n";
-  os << indent << "FixEnds: " << (this->FixEnds ? "on" : "off") << "\n";
   os << indent << "ProjectionCount: " << this->ProjectionCount << "\n";
   os << indent << "SceneCount: " << this->GetSceneCount() << "\n";
 }

@@ -6,7 +6,7 @@
  * and ends on the surface; the silhouette points nearest to both ends, p0 and pn, and the mean of their
  * normals span a plane, on which the stroke, projected along the lines of sight, is the sketch. The curve is
  * what of the surface is to go there. The paper leaves open, and here is chosen: points of visible silhouette
- * curves are preferred; the sketch is shifted, linearly in arc length, to end on p0 and pn (FixEnds); each
+ * curves are preferred; the sketch is shifted, linearly in arc length, to end on p0 and pn; each
  * sample of the sketch is paired with a point of its own on the surface, found along the mean normal.
  * Departures, undone by the projection Ray: the first hit against that normal often is on the far side of the
  * model (Projection); and p0 and pn are nearest in the picture where that is within 20 px, since a pen that
@@ -97,15 +97,6 @@ public:
   vtkGetMacro(MaximumStep, double);
   ///@}
 
-  ///@{
-  /**
-   * The sketch ends on the silhouette, so that the surface does not move there [default on].
-   */
-  vtkSetMacro(FixEnds, bool);
-  vtkGetMacro(FixEnds, bool);
-  vtkBooleanMacro(FixEnds, bool);
-  ///@}
-
   /**
    * The sketch, on port 1.
    */
@@ -133,7 +124,6 @@ private:
 
   int Projection = Line;
   double MaximumStep = -1.0;
-  bool FixEnds = true;
   vtkIdType ProjectionCount = 0;
 
   struct Cache;

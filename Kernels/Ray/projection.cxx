@@ -452,13 +452,11 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   std::vector<Vector3> sketch = sketchInPlane(surface, view, stroke, begin, end, n);
   refuseSpike(sketch, begin, end, rules);
   const std::vector<double> shares = sharesOf(sketch);
-  if (rules.fixEnds)
+  // It ends on the silhouette.
+  const Vector3 atBegin = begin.position - sketch.front(), atEnd = end.position - sketch.back();
+  for (std::size_t k = 0; k < sketch.size(); ++k)
   {
-    const Vector3 atBegin = begin.position - sketch.front(), atEnd = end.position - sketch.back();
-    for (std::size_t k = 0; k < sketch.size(); ++k)
-    {
-      sketch[k] += (1.0 - shares[k]) * atBegin + shares[k] * atEnd;
-    }
+    sketch[k] += (1.0 - shares[k]) * atBegin + shares[k] * atEnd;
   }
   std::vector<Vector3> path;
   if (rules.projection == SketchProjection::Path)
@@ -479,7 +477,7 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   for (std::size_t k = 0; k <= last; ++k)
   {
     SurfaceHit hit;
-    if (rules.fixEnds && (k == 0 || k == last))
+    if (k == 0 || k == last)
     {
       hit = surface.closest(k == 0 ? begin.position : end.position);
       sketch[k] = hit.position;

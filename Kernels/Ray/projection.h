@@ -67,7 +67,6 @@ enum class SketchProjection
 struct SketchRules
 {
   SketchProjection projection = SketchProjection::Line;
-  bool fixEnds = true; // the sketch ends on the silhouette: a shift that is linear in arc length
   double maximumStep =
     0.0; // model length, Line only: a longer step bridges empty space and is refused; 0: none is
   double reach = 20.0; // px from an end of the stroke to the silhouette

@@ -486,7 +486,7 @@ TEST(Visibility, RunsOnlyWhatChanged)
   chain.visibility->Update();
   EXPECT_EQ(chain.visibility->GetTestCount(), 1);
   EXPECT_EQ(chain.visibility->GetOutput()->GetPoints(), points);
-  chain.visibility->SetCuspAngle(60.0);
+  chain.visibility->RejoinOff();
   chain.visibility->Update();
   EXPECT_EQ(chain.silhouette->GetExtractionCount(), 1);
   EXPECT_EQ(chain.snake->GetSmoothingCount(), 1);
