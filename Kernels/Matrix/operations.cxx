@@ -2,8 +2,9 @@
 
 #include "Mesh/context.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <locale>
 #include <set>
 #include <sstream>
@@ -17,14 +18,9 @@ constexpr const char* howTo = "write \"move T AXIS LENGTH\", \"rotate T AXIS DEG
                               "FACTOR\", \"pin T\" or \"drag X Y\", "
                               "apart by semicolons, with T from 0 to 1 along the curve and AXIS t, w or n";
 
-struct Operation
+struct NamedOperation : Operation
 {
   std::string name; // for messages
-  std::string verb;
-  double t = 0.0;
-  HandleAxis axis = HandleAxis::Along;
-  double amount = 0.0;
-  Vector2 pixels = Vector2::Zero(); // of a drag
 
   [[noreturn]] void refuse(const std::string& why) const
   {
@@ -40,7 +36,7 @@ std::string wordOf(std::istringstream& words)
   return word;
 }
 
-double numberOf(const Operation& operation, std::istringstream& words, const char* what)
+double numberOf(const NamedOperation& operation, std::istringstream& words, const char* what)
 {
   const std::string word = wordOf(words);
   std::istringstream digits(word);
@@ -54,21 +50,22 @@ double numberOf(const Operation& operation, std::istringstream& words, const cha
   return number;
 }
 
-Operation operationOf(const std::string& text, int number)
+NamedOperation operationOf(const std::string& text, int number)
 {
   std::istringstream words(text);
-  Operation operation;
+  NamedOperation operation;
   operation.name = "Operation " + std::to_string(number) + ", \"" + text + "\"";
-  operation.verb = wordOf(words);
-  const std::string& verb = operation.verb;
-  if (verb != "move" && verb != "rotate" && verb != "scale" && verb != "pin" && verb != "drag")
+  const std::string verb = wordOf(words);
+  const auto known = std::find(std::begin(verbNames), std::end(verbNames), verb);
+  if (known == std::end(verbNames))
   {
     operation.refuse("\"" + verb + "\" is none; " + howTo + ".");
   }
-  if (verb == "drag")
+  operation.verb = static_cast<Verb>(known - std::begin(verbNames));
+  if (operation.verb == Verb::Drag)
   {
-    operation.pixels[0] = numberOf(operation, words, "way to the right");
-    operation.pixels[1] = numberOf(operation, words, "way up");
+    operation.amount = numberOf(operation, words, "way to the right");
+    operation.up = numberOf(operation, words, "way up");
   }
   else
   {
@@ -78,14 +75,14 @@ Operation operationOf(const std::string& text, int number)
       operation.refuse("its place is not on the curve; give one from 0, where the curve begins, to 1.");
     }
   }
-  if (verb != "pin" && verb != "drag")
+  if (operation.verb != Verb::Pin && operation.verb != Verb::Drag)
   {
-    const std::string axis = wordOf(words), axes = "twn";
+    const std::string axis = wordOf(words), axes = axisNames;
     if (axis.size() != 1 || axes.find(axis) == std::string::npos)
     {
       operation.refuse("its axis is \"" + axis + "\"; give t, along the curve, w, beside it, or n, outward.");
     }
-    operation.axis = static_cast<HandleAxis>(axes.find(axis));
+    operation.axis = static_cast<int>(axes.find(axis));
     operation.amount = numberOf(operation, words, "amount");
   }
   const std::string rest = wordOf(words);
@@ -96,14 +93,15 @@ Operation operationOf(const std::string& text, int number)
   return operation;
 }
 
-Matrix4 matrixOf(const Operation& operation, const CurveFrame& frame)
+Matrix4 matrixOf(const NamedOperation& operation, const CurveFrame& frame)
 {
+  const auto axis = static_cast<HandleAxis>(operation.axis);
   try
   {
-    return operation.verb == "move"     ? movedAlong(frame, operation.axis, operation.amount)
-           : operation.verb == "rotate" ? turnedAbout(frame, operation.axis, operation.amount)
-           : operation.verb == "scale"  ? scaledAlong(frame, operation.axis, operation.amount)
-                                        : Matrix4(Matrix4::Identity());
+    return operation.verb == Verb::Move     ? movedAlong(frame, axis, operation.amount)
+           : operation.verb == Verb::Rotate ? turnedAbout(frame, axis, operation.amount)
+           : operation.verb == Verb::Scale  ? scaledAlong(frame, axis, operation.amount)
+                                            : Matrix4(Matrix4::Identity());
   }
   catch (const Error& error)
   {
@@ -119,32 +117,52 @@ std::string trimmed(const std::string& text)
                                     : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-} // namespace
-
-OperatedHandles handlesOf(const std::string& operations,
-  const std::function<CurveFrame(double t)>& frameAt,
-  const std::function<Vector3(const Vector2& pixels)>& shiftOf)
+std::vector<NamedOperation> read(const std::string& operations)
 {
-  OperatedHandles result;
+  std::vector<NamedOperation> result;
   std::istringstream parts(operations);
   int number = 0;
   for (std::string part; std::getline(parts, part, ';');)
   {
     ++number;
     const std::string text = trimmed(part);
-    if (text.empty())
+    if (!text.empty()) // after the last semicolon, say
     {
-      continue; // after the last semicolon, say
+      result.push_back(operationOf(text, number));
     }
-    const Operation operation = operationOf(text, number);
-    if (operation.verb == "drag")
+  }
+  return result;
+}
+
+} // namespace
+
+std::vector<Operation> operationsOf(const std::string& text)
+{
+  const CurveFrame anywhere{ Vector3::Zero(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ() };
+  std::vector<Operation> result;
+  for (const NamedOperation& operation : read(text))
+  {
+    matrixOf(operation, anywhere); // refuses what no frame allows
+    result.push_back(operation);
+  }
+  return result;
+}
+
+OperatedHandles handlesOf(const std::string& operations,
+  const std::function<CurveFrame(double t)>& frameAt,
+  const std::function<Vector3(const Vector2& pixels)>& shiftOf)
+{
+  OperatedHandles result;
+  for (const NamedOperation& operation : read(operations))
+  {
+    if (operation.verb == Verb::Drag)
     {
       if (!shiftOf)
       {
         operation.refuse(
           "the curve carries no view that it could be dragged in; draw it, or move it along axes.");
       }
-      result.shift += shiftOf(operation.pixels);
+      result.shift += shiftOf({ operation.amount, operation.up });
       continue;
     }
     const CurveFrame frame = frameAt(operation.t);

@@ -11,6 +11,27 @@
 namespace oversketch
 {
 
+enum class Verb
+{
+  Move,
+  Scale,
+  Rotate,
+  Pin,
+  Drag // of the curve as a whole
+};
+
+struct Operation
+{
+  Verb verb = Verb::Pin;
+  double t = 0.0;      // share of the curve's length
+  int axis = 0;        // t, w, n
+  double amount = 0.0; // length, factor or degrees; of a drag to the right [px]
+  double up = 0.0;     // of a drag [px]
+};
+
+constexpr const char* verbNames[] = { "move", "scale", "rotate", "pin", "drag" };
+constexpr const char* axisNames = "twn";
+
 // A handle at a share t of the curve's length, and what was made of it there.
 struct PlacedHandle
 {
@@ -37,6 +58,8 @@ struct OperatedHandles
   std::vector<PlacedHandle> handles;
   Vector3 shift = Vector3::Zero(); // the sum of all drags [world]
 };
+// Operations as the text says them; throws alike, but for what frames and views refuse.
+std::vector<Operation> operationsOf(const std::string& text);
 OperatedHandles handlesOf(const std::string& operations,
   const std::function<CurveFrame(double t)>& frameAt,
   const std::function<Vector3(const Vector2& pixels)>& shiftOf = nullptr);

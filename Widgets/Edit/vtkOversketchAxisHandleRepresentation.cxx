@@ -75,7 +75,7 @@ struct vtkOversketchAxisHandleRepresentation::Internals
   std::optional<CurveFrames> frames;
   std::optional<View> drawnIn; // for drags in that view
   std::string text;
-  std::vector<OperationRow> rows;
+  std::vector<Operation> rows;
 
   struct Handle
   {
@@ -235,7 +235,7 @@ void vtkOversketchAxisHandleRepresentation::SetOperations(const char* text)
   const std::string before = inner.text;
   try
   {
-    inner.rows = operationRows(now);
+    inner.rows = operationsOf(now);
     inner.text = now;
     inner.follow();
     this->Modified();
@@ -244,7 +244,7 @@ void vtkOversketchAxisHandleRepresentation::SetOperations(const char* text)
   {
     vtkErrorMacro(<< error.what());
     inner.text = before;
-    inner.rows = operationRows(before);
+    inner.rows = operationsOf(before);
     inner.follow();
   }
 }

@@ -87,7 +87,7 @@ bool vtkOversketchAxisHandleWidget::AddHandle(double t)
 {
   this->StopDragging(false);
   AxesShown* shown = this->GetAxisHandleRepresentation();
-  std::vector<OperationRow> rows = operationRows(shown->GetOperations());
+  std::vector<Operation> rows = operationsOf(shown->GetOperations());
   const bool isNew = std::isfinite(t) && !holds(handlePlaces(rows), roundedPlace(t));
   if (isNew)
   {
@@ -107,10 +107,10 @@ bool vtkOversketchAxisHandleWidget::RemoveSelectedHandle()
   {
     return false;
   }
-  std::vector<OperationRow> rows = operationRows(shown->GetOperations());
-  rows.erase(std::remove_if(rows.begin(),
-               rows.end(),
-               [&](const OperationRow& row) { return row.verb != Verb::Drag && row.t == t; }),
+  std::vector<Operation> rows = operationsOf(shown->GetOperations());
+  rows.erase(
+    std::remove_if(
+      rows.begin(), rows.end(), [&](const Operation& row) { return row.verb != Verb::Drag && row.t == t; }),
     rows.end());
   shown->SetOperations(operationText(rows).c_str());
   shown->SetSelectedHandle(-1);
@@ -157,7 +157,7 @@ void vtkOversketchAxisHandleWidget::PullLine(const int at[2])
   AxesShown* shown = this->GetAxisHandleRepresentation();
   shown->GetShift(at[0], at[1], this->Shift);
   this->PulledLine = true;
-  std::vector<OperationRow> rows = operationRows(this->Before);
+  std::vector<Operation> rows = operationsOf(this->Before);
   std::vector<double> places = handlePlaces(rows);
   if (places.empty())
   {
@@ -183,14 +183,14 @@ void vtkOversketchAxisHandleWidget::PullAxis(const int at[2])
 {
   AxesShown* shown = this->GetAxisHandleRepresentation();
   const int part = shown->GetPart(this->Grip), axis = shown->GetAxis(this->Grip);
-  std::vector<OperationRow> rows = operationRows(this->Before);
+  std::vector<Operation> rows = operationsOf(this->Before);
   const double amount = shown->GetAmount(part, axis, at[0], at[1]);
   if (std::isfinite(amount))
   {
     operate(rows, static_cast<Verb>(part), this->T, axis, amount);
   }
   shown->SetOperations(operationText(rows).c_str());
-  for (const OperationRow& row : rows)
+  for (const Operation& row : rows)
   {
     if (row.verb == static_cast<Verb>(part) && row.t == this->T && row.axis == axis)
     {
