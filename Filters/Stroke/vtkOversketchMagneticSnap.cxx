@@ -295,7 +295,8 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
         rules.sigma = 0.0;
         rules.together = false;
       }
-      const StepKey rulesKey({}, { this->AsPublished ? 1.0 : 0.0 });
+      const double published = this->AsPublished ? 1.0 : 0.0;
+      const StepKey rulesKey({}, { published });
       Cache& cache = *this->Internals;
       if (cache.RulesKey != rulesKey)
       {
@@ -323,9 +324,7 @@ int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
       vtkPolyData* output = vtkPolyData::GetData(outputs);
       const PicturePlace& place = search.Place;
       cache.Kept.Provide(StepKey({ CurvesKey(curves, { "Magnetic", "SnapRadius" }), search.ScalarsKey() },
-                           { rules.edgeAngle,
-                             rules.sigma,
-                             together,
+                           { published,
                              place.Origin[0],
                              place.Origin[1],
                              place.Spacing[0],
