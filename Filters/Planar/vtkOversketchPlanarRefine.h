@@ -5,10 +5,10 @@
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.3, Fig. 9: smooth subdivision, Loop's of
  * triangles, Catmull and Clark's where there are quads (Sec. 2.2.4); each new point of an edge on a stroke
  * goes onto it, to the middle of the edge's part of it; a portion of what points of features move by goes to
- * their neighbours. Departure: on most real outlines triangles turn over by that. What free
- * points moved by is taken back where they do, and where strokes leave no room all the same hands the
- * strokes' parts back, for a closer approximation, as it does those that have samples farther from the
- * refined edges than 0.004 of the canvas (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
+ * their neighbours. Departure: on most real outlines triangles turn over by that. Where
+ * they do, free points go back; where strokes leave no room all the same, the strokes' parts are handed back
+ * for a closer approximation, as are those that have samples farther from the refined edges than 0.004 of the
+ * canvas (Kernels/Planar/refine.h, guard.h). Named so, and not Refine, beside
  * vtkOversketchStellarRefine and vtkOversketchRemesh, which refine meshes of other kinds by other means.
  *
  * Input 0 (Mesh): triangles or quads of vtkOversketchCoarseMesh or vtkOversketchQuadMerge, with their arrays.
