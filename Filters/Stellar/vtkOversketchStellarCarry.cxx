@@ -2,7 +2,6 @@
 
 #include "Mesh/nearest.h"
 #include "Mesh/rotation.h"
-#include "Stellar/distance.h"
 #include "Stellar/leaves.h"
 #include "vtkOversketchMixable.h"
 #include "vtkOversketchRuns.h"

@@ -1,6 +1,5 @@
 #include "vtkOversketchStellarRefine.h"
 
-#include "Stellar/profile.h"
 #include "Stellar/refine.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"

@@ -12,8 +12,8 @@ namespace
 
 constexpr double halfPi = 1.57079632679489661923;
 constexpr double flat = 1e-12; // of the canvas's square
-// Of the angle of the points beyond it on the circle, a point of the first row: the rim bends by the first
-// angle, what is beside it by half of the second.
+// The first row's angle on the circle, of the angle of the points beyond it: the rim bends by the first, what
+// is beside it by half of the second.
 constexpr double firstAngle = 0.53;
 constexpr double firstShare = 0.96; // of the way there: farther out, its edges inward cut pits
 // Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
@@ -26,7 +26,7 @@ constexpr int steps = 10;         // of how far points are moved
 constexpr int leastInside = 4;    // of these steps: less of the inner rows, and their triangles are stretched
 constexpr int rounds = 3;         // of averaging the lengths
 
-// Both ways, each face's edges.
+// Calls use with each edge of each face, both ways.
 template <typename Use>
 void eachEdge(const PlanarMesh& mesh, const Use& use)
 {

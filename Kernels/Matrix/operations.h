@@ -29,8 +29,8 @@ struct Operation
   double up = 0.0;     // of a drag [px]
 };
 
-constexpr const char* verbNames[] = { "move", "scale", "rotate", "pin", "drag" };
-constexpr const char* axisNames = "twn";
+inline constexpr const char* verbNames[] = { "move", "scale", "rotate", "pin", "drag" };
+inline constexpr const char* axisNames = "twn";
 
 // A handle at a share t of the curve's length, and what was made of it there.
 struct PlacedHandle

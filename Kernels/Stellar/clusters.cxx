@@ -3,7 +3,6 @@
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
 #include "Stellar/defects.h"
-#include "Stellar/distance.h"
 #include "Stellar/quality.h"
 
 #include <algorithm>

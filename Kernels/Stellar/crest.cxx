@@ -1,7 +1,6 @@
 #include "Stellar/crest.h"
 
 #include "Mesh/nearest.h"
-#include "Stellar/distance.h"
 
 #include <cmath>
 #include <limits>

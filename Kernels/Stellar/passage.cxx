@@ -2,7 +2,6 @@
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
-#include "Stellar/distance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -23,7 +23,7 @@ struct Chain
   {
   }
 
-  // With what `use` is called with, that is.
+  // The heights' maps as `use` is called with them.
   template <typename Use>
   auto withMaps(const oversketch::Context& context, const Use& use)
   {

@@ -1,4 +1,4 @@
-// What a surface of triangles and quads is, for tests. Header-only.
+// Measures of a surface of triangles and quads, for tests. Header-only.
 #ifndef oversketch_testing_harness_solid_shape_h
 #define oversketch_testing_harness_solid_shape_h
 

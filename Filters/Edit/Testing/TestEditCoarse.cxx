@@ -329,7 +329,7 @@ TEST(EditCoarse, AProfileDeeperThanTheLegIsThickIsRefused)
   s.filter->SetProfileData(drawn(0.3));
   s.run();
   EXPECT_EQ(std::string(s.filter->GetRemark()), "");
-  // What leans over outside of the leg is not deep in it, though the ways there lead through it.
+  // A profile that leans over outside of the leg is not deep in it, though the ways there lead through it.
   s.filter->SetProfileData(drawn(-0.3, 2.0));
   s.filter->Update();
   EXPECT_EQ(s.filter->GetErrorCode(), 0);
