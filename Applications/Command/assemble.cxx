@@ -145,12 +145,6 @@ void runDrawings(Sources& sources)
                          std::size_t, const std::string& stage, double share)
       { showProgress((done + share) / count, stage); };
       const SystemRow& system = *findSystem(made.step->system);
-      watch.warning = [&where = made.where, &system](std::size_t, const std::string& message)
-      {
-        std::ostringstream said;
-        said << where << ": " << inMembers(message, system);
-        warn(said.str());
-      };
       Session session;
       session.nodes.emplace_back();
       session.nodes[0].id = 1;
@@ -158,6 +152,10 @@ void runDrawings(Sources& sources)
       std::vector<Outcome> outcomes;
       evaluator.run(session, watch, outcomes);
       throwIfInterrupted();
+      for (const oversketch::Message& remark : outcomes[0].remarks)
+      {
+        warn(made.where + ": " + inMembers(remark, system));
+      }
       if (!outcomes[0].failure.empty())
       {
         throw Failed(made.where + ": " + inMembers(outcomes[0].failure, system));

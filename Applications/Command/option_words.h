@@ -5,17 +5,18 @@
 
 #include "systems.h"
 
+#include "Mesh/message.h"
+
 #include <string>
 
 namespace oversketch_command
 {
 
-// "turn AllowTorn on" becomes "give --allow-torn", "Lower Candidate" becomes "Lower --candidate", "Rule Off"
-// becomes "--rule off". Names of arrays, of files and what is quoted stay.
-std::string inOptions(const std::string& message, const oversketch_session::SystemRow& system);
+// "{AllowTorn on}" is "give --allow-torn", "{Candidate}" is "--candidate", "{Rule Off}" is "--rule off".
+std::string inOptions(const oversketch::Message& message, const oversketch_session::SystemRow& system);
 
-// The same for a file that gives them as members: "set 'allow-torn' to true", "Lower 'candidate'".
-std::string inMembers(const std::string& message, const oversketch_session::SystemRow& system);
+// The same for a file that gives them as members: "set 'allow-torn' to true", "'candidate'".
+std::string inMembers(const oversketch::Message& message, const oversketch_session::SystemRow& system);
 
 } // namespace oversketch_command
 #endif

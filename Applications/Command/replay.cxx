@@ -68,7 +68,6 @@ Replayed replay(Recorded model)
   Evaluator evaluator;
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
-  watch.warning = [&](std::size_t, const std::string& message) { warn(message); };
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
   { showProgress((static_cast<double>(node) + share) / count, stage); };
   std::vector<Outcome> outcomes;
@@ -78,11 +77,11 @@ Replayed replay(Recorded model)
   {
     if (!outcomes[i].failure.empty())
     {
-      warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure);
+      warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure.text());
     }
-    if (!outcomes[i].remark.empty())
+    for (const oversketch::Message& remark : outcomes[i].remarks)
     {
-      warn(outcomes[i].remark);
+      warn(remark.text());
     }
   }
   return { resultOf(session, outcomes), backendUsedBy(outcomes) };

@@ -296,10 +296,6 @@ bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
 // What is to be said of a result, so that nothing is spoilt, or left as it was, in silence.
 void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outcome)
 {
-  if (!outcome.remark.empty())
-  {
-    warn(inOptions(outcome.remark, *options.system));
-  }
   if (mesh && isSameMesh(mesh, outcome.mesh))
   {
     warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
@@ -401,13 +397,16 @@ void runSystem(const Options& options)
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  watch.warning = [&](std::size_t, const std::string& message) { warn(inOptions(message, *options.system)); };
   std::vector<Outcome> outcomes;
   begin = Clock::now();
   evaluator.run(session, watch, outcomes);
   report.runMilliseconds = since(begin);
   clearProgress();
   throwIfInterrupted();
+  for (const oversketch::Message& remark : outcomes[0].remarks)
+  {
+    warn(inOptions(remark, *options.system));
+  }
   if (!outcomes[0].failure.empty())
   {
     throw Failed(inOptions(outcomes[0].failure, *options.system));

@@ -271,10 +271,6 @@ bool Evaluator::make(Run& run,
     listener.progress = [&](const std::string& stage, double share)
     { run.watch.progress(index, stage, share); };
   }
-  if (run.watch.warning)
-  {
-    listener.warning = [&](const std::string& message) { run.watch.warning(index, message); };
-  }
   runner.turnTo(inputs);
   ++this->Runs;
   runner.last = 0;
@@ -344,7 +340,7 @@ bool Evaluator::makePart(Run& run,
     }
     catch (const oversketch::Error& error)
     {
-      outcome.failure = error.what();
+      outcome.failure = error.message();
     }
   }
   return true;

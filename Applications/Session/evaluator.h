@@ -40,7 +40,6 @@ public:
     std::function<bool()> cancelled;
     // Node, stage and share done of the node [0 to 1].
     std::function<void(std::size_t node, const std::string& stage, double share)> progress;
-    std::function<void(std::size_t node, const std::string& message)> warning;
     // Whether details() will be called for all nodes.
     bool details = false;
   };

@@ -5,6 +5,8 @@
 #include "session.h"
 #include "shared_data.h"
 
+#include "Mesh/message.h"
+
 #include "vtkDataObject.h"
 
 #include <array>
@@ -40,8 +42,10 @@ struct Outcome
   vtkSmartPointer<vtkPolyData> mesh;
   // The output ports but 0 that later steps of the session refer to.
   std::map<int, vtkSmartPointer<vtkDataObject>> outputs;
-  std::string failure; // why it did nothing; empty when it acted or is off
-  std::string remark;  // what is to be said of the result, see vtkOversketchSystem::GetRemark
+  oversketch::Message failure; // why it did nothing; empty when it acted or is off
+  // What its system said besides, as warnings; of a result that is not as drawn too
+  // (vtkOversketchSystem::GetRemark).
+  std::vector<oversketch::Message> remarks;
   // Where it took hold, with the polyline itself; absent where it did nothing, or its system takes hold of
   // nothing.
   std::optional<Section> section;

@@ -82,7 +82,7 @@ vtkSmartPointer<Data> shared(Data* data)
 
 // Runs work with a system or a filter that is heard meanwhile. Empty where it went well, else the reason.
 // Throws Error where it was cancelled.
-std::string failureOf(vtkAlgorithm* algorithm,
+oversketch::Message failureOf(vtkAlgorithm* algorithm,
   const oversketch::StepRunner::Listener& listener,
   const std::function<void()>& work)
 {
@@ -96,7 +96,7 @@ std::string failureOf(vtkAlgorithm* algorithm,
     {
       throw;
     }
-    return error.what();
+    return error.message();
   }
   return {};
 }
@@ -109,28 +109,12 @@ oversketch::StepRunner::Listener listenerOf(vtkOversketchSystem* system,
 {
   oversketch::StepRunner::Listener made;
   made.cancelled = listener.cancelled;
-  made.warning = listener.warning;
   if (listener.progress)
   {
     made.progress = [=, progress = listener.progress](double share)
     { progress(system->GetStageName(), from + share * (to - from)); };
   }
   return made;
-}
-
-// The same, but warnings are kept.
-Listener heard(Listener listener, std::vector<std::string>& said)
-{
-  listener.warning = [&said](const std::string& message) { said.push_back(message); };
-  return listener;
-}
-
-void say(const std::vector<std::string>& said, const std::string& whose, const Listener& listener)
-{
-  for (std::size_t i = 0; i < said.size() && listener.warning; ++i)
-  {
-    listener.warning(whose + said[i]);
-  }
 }
 
 } // namespace
@@ -193,13 +177,10 @@ bool SystemRunner::run(const Step& step,
   Values kept = *this->Row.mirrored;
   kept.insert(step.values.begin(), step.values.end());
   Outcome made = outcome;
-  std::vector<std::string> said;
-  const Listener trial = heard(listener, said);
-  if (!this->runOnce({ step, inputs, backend, ports, trial }, kept, 0.0, oneSide, made))
+  if (!this->runOnce(task, kept, 0.0, oneSide, made))
   {
     return false;
   }
-  const std::string remark = this->System->GetRemark();
   bool follows = false;
   try
   {
@@ -209,11 +190,6 @@ bool SystemRunner::run(const Step& step,
   {
     return false;
   }
-  if (!follows)
-  {
-    said.erase(std::remove(said.begin(), said.end(), remark), said.end()); // of what is not the result
-  }
-  say(said, "", listener);
   if (!follows)
   {
     return this->runTwice(task, outcome);
@@ -231,8 +207,9 @@ bool SystemRunner::runOnce(const Task& task, const Values& values, double from, 
   {
     // Modified, since a run that failed before would report an empty success.
     this->System->Modified();
-    outcome.failure = failureOf(
-      this->System, listenerOf(this->System, task.listener, from, to), [this] { this->System->Update(); });
+    auto listener = listenerOf(this->System, task.listener, from, to);
+    listener.warning = [&outcome](const oversketch::Message& message) { outcome.remarks.push_back(message); };
+    outcome.failure = failureOf(this->System, listener, [this] { this->System->Update(); });
   }
   catch (const oversketch::Error&)
   {
@@ -250,7 +227,6 @@ bool SystemRunner::runOnce(const Task& task, const Values& values, double from, 
     outcome.section = sectionOf(hold);
     outcome.hold = shared(hold.Get());
     outcome.backendUsed = this->System->GetBackendUsed();
-    outcome.remark = this->System->GetRemark();
     for (const int port : task.ports)
     {
       outcome.outputs[port] = shared(this->System->GetOutputDataObject(port));
@@ -323,17 +299,15 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   auto sides = std::make_unique<TwoSides>();
   sides->first = one.mesh;
   vtkSmartPointer<vtkPolyData> made;
-  std::vector<std::string> said;
-  std::string otherRemark;
-  const std::string whose = mirroredTo(one.section, plane) + ": ";
+  std::vector<oversketch::Message> others;
+  const std::string whose = mirroredTo(one.section, plane);
   for (vtkPolyData* under : { before, one.mesh.Get() })
   {
     if (made || (under == before && !sameCells(before, one.mesh)))
     {
       continue;
     }
-    said.clear();
-    Listener listener = heard(task.listener, said);
+    Listener listener = task.listener;
     if (listener.progress)
     {
       const double from = under == before ? twoSides : lastSide, to = under == before ? lastSide : 1.0;
@@ -348,7 +322,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
     }
     if (!two.failure.empty())
     {
-      outcome.failure = whose + two.failure;
+      outcome.failure = { "%1: %2", whose, two.failure };
       return true;
     }
     if (isSamePlace(one.section, two.section, plane))
@@ -356,17 +330,16 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
       outcome = one;
       return true;
     }
-    otherRemark = two.remark;
+    others = two.remarks;
     sides->inImage = two.mesh;
     sides->second = sides->image->back(two.mesh);
     made = under == before ? joined(before, one.mesh, sides->second) : sides->second;
   }
-  say(said, whose, task.listener);
   outcome = one;
   outcome.mesh = made;
-  if (!otherRemark.empty())
+  for (const oversketch::Message& other : others)
   {
-    outcome.remark += (one.remark.empty() ? "" : " ") + whose + otherRemark;
+    outcome.remarks.emplace_back("%1: %2", whose, other);
   }
   this->Sides = std::move(sides);
   return true;

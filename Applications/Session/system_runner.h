@@ -23,7 +23,6 @@ struct Listener
 {
   std::function<bool()> cancelled;                                      // polled while it runs; true ends it
   std::function<void(const std::string& stage, double share)> progress; // share of the step [0 to 1]
-  std::function<void(const std::string& message)> warning;
 };
 
 class SystemRunner

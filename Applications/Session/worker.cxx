@@ -270,7 +270,7 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
       state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
     }
     state.failure = outcome.failure;
-    state.remark = outcome.remark;
+    state.remark = oversketch::Message::joined(outcome.remarks);
     state.section = outcome.section;
     state.elsewhere = outcome.elsewhere;
     const auto drawn = this->Pictures.find(outcome.number);

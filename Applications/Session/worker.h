@@ -35,7 +35,7 @@ public:
   // so (SystemRow::changedOverInput).
   struct NodeState : Ground
   {
-    std::string failure, remark; // see Outcome
+    oversketch::Message failure, remark; // see Outcome
     std::optional<Section> section;
     SharedData hold; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;

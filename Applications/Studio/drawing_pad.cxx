@@ -147,9 +147,9 @@ vtkPolyData* DrawingPad::curves() const
   return this->Widget->GetCurves();
 }
 
-QString DrawingPad::text() const
+const oversketch::Message& DrawingPad::said() const
 {
-  return QString::fromUtf8(this->Widget->GetText());
+  return this->Widget->GetSaid();
 }
 
 void DrawingPad::showText(const QString& text)

@@ -4,6 +4,8 @@
 
 #include "flat_view.h"
 
+#include "Mesh/message.h"
+
 #include "vtkNew.h"
 
 #include <array>
@@ -32,8 +34,8 @@ public:
   vtkPolyData* drawing() const;
   // The strokes on the canvas, with what each is: cell array Role.
   vtkPolyData* curves() const;
-  // What is wrong with a stroke, in words; empty where nothing is.
-  QString text() const;
+  // What is to be said of the drawing; empty where there is nothing.
+  const oversketch::Message& said() const;
   // The same in the words of whoever shows it.
   void showText(const QString& text);
   bool isDrawing() const;

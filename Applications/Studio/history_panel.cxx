@@ -282,8 +282,7 @@ void HistoryPanel::makeActions()
       const auto& states = this->OpenDocument->result().nodes;
       const std::size_t row = indexOf(this->changed());
       // Others that fail are passed by; the remedy is what tells this one.
-      const bool isBeyondTheLast =
-        row < states.size() && states[row].failure.find("Lower Candidate") != std::string::npos;
+      const bool isBeyondTheLast = row < states.size() && states[row].failure.names("candidate");
       this->change("Candidate",
         [isBeyondTheLast](const Value& value) -> Value
         { return isBeyondTheLast ? 1 : std::get<int>(value) + 1; });

@@ -126,7 +126,7 @@ private:
   void hearRows();
   void hush();
   bool speak();
-  void offerAnyway(int row, const std::string& message);
+  void offerAnyway(int row, const std::string& property);
   void teach();
   void stopTeaching();
 
@@ -184,10 +184,10 @@ private:
           *Region = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
-  int Redrawn = -1;                // the step that the next one replaces
-  int Offered = -1;                // the one that can be taken hold of in the view
-  int Speaks = -1;                 // the row whose words are at the foot; -1: none
-  std::map<int, std::string> Said; // by the rows' ids: what the last result had to say of each
+  int Redrawn = -1;                        // the step that the next one replaces
+  int Offered = -1;                        // the one that can be taken hold of in the view
+  int Speaks = -1;                         // the row whose words are at the foot; -1: none
+  std::map<int, oversketch::Message> Said; // by the rows' ids: what the last result had to say of each
   std::function<void()> OnAnyway;
   bool Reset = false;
   bool Takes = true;    // the chosen model, steps

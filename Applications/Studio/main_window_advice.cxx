@@ -61,8 +61,8 @@ void MainWindow::hearRows()
   this->Speaks = -1;
   for (std::size_t i = 0; i < std::min(states.size(), nodes.size()); ++i)
   {
-    const std::string& failure = states[i].failure;
-    const std::string& said = failure.empty() ? states[i].remark : failure;
+    const oversketch::Message& failure = states[i].failure;
+    const oversketch::Message& said = failure.empty() ? states[i].remark : failure;
     if (nodes[i].on && !said.empty())
     {
       this->Said[nodes[i].id] = said;
@@ -101,16 +101,15 @@ bool MainWindow::speak()
   this->Advice->setText(
     of + (!state.failure.empty() ? tr("That did nothing: %1").arg(briefWords(state.failure))
                                  : briefWords(state.remark) + (tool ? ' ' + tool->remedy() : QString())));
-  this->offerAnyway(row, state.failure);
+  this->offerAnyway(row, askedFor(state.failure));
   return true;
 }
 
 // Where a message asks for an option of its step, a button gives it.
-void MainWindow::offerAnyway(int row, const std::string& message)
+void MainWindow::offerAnyway(int row, const std::string& property)
 {
   const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
   const SystemRow* system = findSystem(step.system);
-  const std::string property = askedFor(message).toStdString();
   const Parameter* parameter = system ? findParameter(*system, property) : nullptr;
   const bool can = parameter && std::holds_alternative<bool>(parameter->initial);
   this->Anyway->setVisible(can);

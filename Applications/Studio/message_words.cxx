@@ -3,15 +3,15 @@
 #include "systems.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 
 namespace oversketch_studio
 {
+
+using oversketch::Message;
 
 namespace
 {
@@ -19,161 +19,165 @@ namespace
 // What is said at length for whoever has no window to look at.
 struct Plain
 {
-  const char* pattern;
+  const char* id;
   const char* words;
 };
 const Plain plain[] = {
-  { "^The stroke would tear the mesh: edges are stretched or squeezed (\\S+) times",
-    QT_TRANSLATE_NOOP("Messages", "it would stretch the limb %1 times.") },
-  { "^The stroke would tear the mesh: (\\S+) % of the surface moved",
-    QT_TRANSLATE_NOOP("Messages", "it would move %1 % of the model.") },
-  { "^Stroke \\d+ cannot be used: no two samples in succession lie on the mesh",
-    QT_TRANSLATE_NOOP("Messages", "the line lies beside the model: draw it on the model.") },
-  { "^Stroke \\d+ cannot be used: it is \\S+ px long; at least (\\S+) px are needed",
-    QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %1 px.") },
-  { "^Stroke \\d+ cannot be used: it is \\S+ px long, \\S+ times the diagonal",
+  { "The stroke would tear the mesh: %1. Draw it nearer to the outline that it is to replace, of one limb "
+    "alone, or, if that is meant, {AllowTorn on}.",
+    QT_TRANSLATE_NOOP("Messages", "it would spoil the model: %1.") },
+  { "no two samples in succession lie on the mesh; draw it over the model.",
+    QT_TRANSLATE_NOOP("Messages", "The line lies beside the model: draw it on the model.") },
+  { "nothing of it lies on the mesh; draw it over the model.",
+    QT_TRANSLATE_NOOP("Messages", "The line lies beside the model: draw it on the model.") },
+  { "it is %1 px long; at least %2 px are needed: draw a longer stroke.",
+    QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %2 px.") },
+  { "it is %1 px long, %2 times the diagonal of its viewport; at most %3 times are taken: draw one line "
+    "along "
+    "the outline that it is to replace, not a scribble.",
     QT_TRANSLATE_NOOP("Messages", "Too long: draw one line along the outline, no scribble.") },
-  { "^Stroke \\d+ cannot be used: it is closed",
+  { "it is closed: its ends are %1 px apart and it is %2 px long; draw an open stroke.",
     QT_TRANSLATE_NOOP("Messages", "The line is closed: let its ends be apart.") },
-  { "^Point \\d+ moved, but the mesh has no point where the plane ([xyz]) = ",
-    QT_TRANSLATE_NOOP("Messages", "The model is not symmetric about %1 here.") },
-  { "^The region is empty; draw a stroke on a part",
+  { "Point %1 moved, but the mesh has no point where the plane %2 = %3 reflects it to: the mesh is not "
+    "symmetric "
+    "there; deform it without symmetry.",
+    QT_TRANSLATE_NOOP("Messages", "The model is not symmetric about %2 here.") },
+  { "The region is empty; draw a stroke on a part of the model with more vertices.",
     QT_TRANSLATE_NOOP("Messages", "The model has too few triangles here.") },
-  { "^The region reaches the whole model.*; take a model with more triangles",
+  { "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; take "
+    "a "
+    "model with more triangles.",
     QT_TRANSLATE_NOOP("Messages", "The model has too few triangles: take one with more.") },
-  { "^The region reaches the whole model",
+  { "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; draw "
+    "a "
+    "shorter stroke, or one on a part that differs more in thickness from the rest.",
     QT_TRANSLATE_NOOP("Messages", "The line would move the whole model: draw a shorter one.") },
-  { "^The stroke is (\\S+) px from any outline, more than MaximumGap = (\\S+) px",
-    QT_TRANSLATE_NOOP("Messages",
-      "The line is %1 px from any outline, more than %2: draw it along the one that it replaces.") },
-  { "^Fewer than two control points of the section lie on one layer",
-    QT_TRANSLATE_NOOP("Messages",
-      "The outline lies on several layers of the model here: draw along another.") },
-  { "^.*step of \\S+ at sample \\d+, longer than \\S+ \\(MaximumStep\\)",
+  { "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.",
+    QT_TRANSLATE_NOOP("Messages", "The line would move the whole model: draw a shorter one.") },
+  { "The curve under the sketch takes a step of %1 at sample %2, longer than %3 ({maximumStep}): between the "
+    "stroke's ends there is no surface for it to follow. An outline drawn anew is for bumps and dents: draw "
+    "nearer to the outline of one part, or pull a limb by one-stroke (or take the projection Path).",
     QT_TRANSLATE_NOOP("Messages",
       "There is no surface between the line's ends: draw nearer to the outline of one part, or pull a limb "
       "with the tool Outline (D).") },
-  { "^.*more than MaximumFaces \\((\\d+)\\) new triangles",
+  { "The stroke is %1 px from any outline, more than {maximumGap} = %2 px. Draw it along the outline that it "
+    "is "
+    "to replace.",
+    QT_TRANSLATE_NOOP("Messages",
+      "The line is %1 px from any outline, more than %2: draw it along the one that it replaces.") },
+  { "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} or draw "
+    "along "
+    "another outline.",
+    QT_TRANSLATE_NOOP("Messages",
+      "The outline lies on several layers of the model here: draw along another.") },
+  { "The refinement needs more than {maximumFaces} (%1) new triangles, about %2 or more; ask for longer "
+    "edges "
+    "({targetEdgeLength}) or a larger tolerance, a smaller {radius} or {maxGeneration}.",
     QT_TRANSLATE_NOOP("Messages",
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
+  { "{The reference curve} is not all inside {the boundary}: its point %1, vertex %2 of the mesh, lies on "
+    "{the "
+    "boundary} or beyond; draw {the boundary} round the whole reference curve.",
+    QT_TRANSLATE_NOOP("Messages", "{The reference curve} is not all inside {the boundary}.") },
 };
 
-// Parts of a remark on a result that is not as drawn, for whoever reads on the run. The numbers are in the
-// row's tip.
-const char* const notAsDrawn = "The result is not as drawn: ";
+// A result that is not as drawn, and its parts, for whoever reads on the run. The numbers are in the row's
+// tip.
+const char* const notAsDrawn = "The result is not as drawn: %1.";
 const Plain brief[] = {
-  { "^the outline misses the stroke", QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
-  { "^between the stroke's ends the outline",
+  { "the outline misses the stroke by %1 px in the mean and by %2 px at worst",
     QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
-  { "^what lies up to .* beside the stroke moved too",
+  { "the outline misses the stroke by %1 px at worst",
+    QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
+  { "between the stroke's ends the outline runs %1 px beside it",
+    QT_TRANSLATE_NOOP("Messages", "the outline is beside the line") },
+  { "what lies up to %1 px beside the stroke moved too, by up to %2 px",
     QT_TRANSLATE_NOOP("Messages", "parts beside the line moved, too") },
-  { "edges are folded over", QT_TRANSLATE_NOOP("Messages", "some of it is folded") },
-  { "edges are stretched or squeezed", QT_TRANSLATE_NOOP("Messages", "some of it is stretched") },
+  { "%1 edges are folded over", QT_TRANSLATE_NOOP("Messages", "some of it is folded") },
+  { "edges are stretched or squeezed %1 times", QT_TRANSLATE_NOOP("Messages", "some of it is stretched") },
 };
 
-QString inserted(QString words, const QStringList& values)
+template <std::size_t Count>
+const char* wordsOf(const Plain (&table)[Count], const std::string& id)
 {
-  for (int i = 0; i < values.size(); ++i)
-  {
-    words.replace('%' + QString::number(i + 1), values[i]);
-  }
-  return words;
+  const auto known =
+    std::find_if(std::begin(table), std::end(table), [&](const Plain& one) { return id == one.id; });
+  return known == std::end(table) ? id.c_str() : known->words;
 }
 
-// How a filter speaks of a property, by the window's words for it.
-struct Asked
+// A setting by its title in a form, and what is to be done with it.
+QString titled(const std::string& named)
 {
-  const char* before;
-  const char* after;
-  const char* words;
-};
-const Asked asked[] = {
-  { "turn ", " on", QT_TRANSLATE_NOOP("Messages", "tick %1") },
-  { "turn ", " off", QT_TRANSLATE_NOOP("Messages", "untick %1") },
-  { "Lower ", ".", QT_TRANSLATE_NOOP("Messages", "Lower %1.") },
-};
-
-// "turn AllowTorn on" as the window's form has it.
-QString withTitles(QString text)
-{
+  const std::string property = Message::propertyIn(named), value = Message::valueIn(named);
   for (const oversketch_session::SystemRow& system : oversketch_session::systems())
   {
-    for (const oversketch_session::Parameter& parameter : system.parameters)
+    if (const auto* parameter = oversketch_session::findParameter(system, property))
     {
-      for (const Asked& one : asked)
-      {
-        const QString said = one.before + QString::fromStdString(parameter.property) + one.after;
-        if (text.contains(said))
-        {
-          text.replace(said,
-            QCoreApplication::translate("Messages", one.words)
-              .arg(QCoreApplication::translate("Systems", parameter.title.c_str())));
-        }
-      }
+      const QString title = QCoreApplication::translate("Systems", parameter->title.c_str());
+      return value == "on"    ? QCoreApplication::translate("Messages", "tick %1").arg(title)
+             : value == "off" ? QCoreApplication::translate("Messages", "untick %1").arg(title)
+             : value.empty()  ? title
+                              : title + ' ' + QString::fromStdString(value);
     }
   }
-  return text;
+  return QString::fromStdString(Message::asProperty(named));
 }
 
 } // namespace
 
-QString plainWords(const std::string& message)
+QString plainWords(const Message& message, const Naming& naming)
 {
-  const QString text = QString::fromStdString(message);
-  for (const Plain& one : plain)
+  if (message.id() == Message::unusable("Stroke", 0, {}).id())
   {
-    const auto match = QRegularExpression(one.pattern).match(text);
-    if (match.hasMatch())
+    const Message& why = message.arguments()[1].messages.front();
+    if (wordsOf(plain, why.id()) != why.id().c_str()) // they say whose it is
     {
-      return inserted(QCoreApplication::translate("Messages", one.words), match.capturedTexts().mid(1));
+      return plainWords(why, naming);
     }
   }
-  // Numbers that stand alone; those in names of files are the names'.
-  static const QRegularExpression number("(?<![\\w.%/-])-?\\d+(?:\\.\\d+)?(?:e[+-]?\\d+)?(?![\\w/]|\\.\\w)");
-  QString pattern;
-  QStringList values;
-  int end = 0;
-  for (auto found = number.globalMatch(text); found.hasNext() && values.size() < 9;)
+  Message::Wording wording;
+  wording.words = [](const std::string& id)
+  { return QCoreApplication::translate("Messages", wordsOf(plain, id)).toStdString(); };
+  wording.number = [](const std::string& number)
   {
-    const auto one = found.next();
-    pattern += text.mid(end, one.capturedStart() - end) + '%' + QString::number(values.size() + 1);
-    const QString value = one.captured();
-    values << (value.contains('.') ? QString::number(value.toDouble(), 'g', 3) : value);
-    end = one.capturedEnd();
-  }
-  pattern += text.mid(end);
-  return text.isEmpty() ? text
-                        : withTitles(inserted(
-                            QCoreApplication::translate("Messages", pattern.toUtf8().constData()), values));
+    const QString text = QString::fromStdString(number);
+    return text.contains('.') ? QString::number(text.toDouble(), 'g', 3).toStdString() : number;
+  };
+  wording.name = [&](const std::string& named)
+  {
+    const QString own = naming ? naming(named) : QString();
+    return (own.isEmpty() ? titled(named) : own).toStdString();
+  };
+  return QString::fromStdString(message.text(wording));
 }
 
-QString briefWords(const std::string& message)
+QString briefWords(const Message& message)
 {
-  const QString text = QString::fromStdString(message);
-  if (!text.startsWith(notAsDrawn))
+  if (message.id() != notAsDrawn)
   {
     return plainWords(message);
   }
   QStringList said;
-  QString parts = text.mid(static_cast<int>(std::strlen(notAsDrawn)));
-  parts.chop(parts.endsWith('.') ? 1 : 0);
-  for (const QString& part : parts.split("; "))
+  for (const Message& part : message.arguments().front().messages)
   {
-    const auto known = std::find_if(std::begin(brief),
-      std::end(brief),
-      [&](const Plain& one) { return QRegularExpression(one.pattern).match(part).hasMatch(); });
-    said << (known != std::end(brief) ? QCoreApplication::translate("Messages", known->words)
-                                      : plainWords(part.toStdString()));
+    const char* const words = wordsOf(brief, part.id());
+    said << (words == part.id().c_str() ? plainWords(part) : QCoreApplication::translate("Messages", words));
   }
   said.removeDuplicates();
   return QCoreApplication::translate("Messages", QT_TRANSLATE_NOOP("Messages", "Not as drawn: %1."))
     .arg(said.join(", "));
 }
 
-QString askedFor(const std::string& message)
+std::string askedFor(const Message& message)
 {
-  static const QRegularExpression turn("\\bturn ([A-Z]\\w+) on\\b");
-  return turn.match(QString::fromStdString(message)).captured(1);
+  for (const std::string& named : message.named())
+  {
+    if (Message::valueIn(named) == "on")
+    {
+      return Message::propertyIn(named);
+    }
+  }
+  return {};
 }
 
 } // namespace oversketch_studio

@@ -60,11 +60,7 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
       }
       inner.PutOutput(output);
     });
-  const std::string remark = inner.Remark();
-  if (!remark.empty())
-  {
-    vtkWarningMacro(<< remark);
-  }
+  this->SetRemark(inner.Remark());
   return done;
 }
 

@@ -104,49 +104,51 @@ double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
   return found == figures.end() ? none : found->second;
 }
 
-std::string vtkOversketchAugment::Pipeline::Remark() const
+Message vtkOversketchAugment::Pipeline::Remark() const
 {
   if (!this->Counted || !this->Made)
   {
-    return "";
+    return {};
   }
   constexpr double lowCrest = 0.75; // of the height; lines over good triangles stay above 0.85
   constexpr double fewCrossings = 0.01;
   const vtkOversketchAugmentFigures& sum = *this->Counted;
-  std::vector<std::string> said;
+  std::vector<Message> said;
   const auto count = [&said](int number, const char* one, const char* many)
   {
     if (number > 0)
     {
-      said.push_back(std::to_string(number) + (number == 1 ? one : many));
+      said.emplace_back(number == 1 ? one : many, number);
     }
   };
-  count(
-    sum.IntersectingFaces, " triangle newly passes through others", " triangles newly pass through others");
-  count(sum.FlippedFaces, " triangle is turned over", " triangles are turned over");
+  count(sum.IntersectingFaces,
+    "%1 triangle newly passes through others",
+    "%1 triangles newly pass through others");
+  count(sum.FlippedFaces, "%1 triangle is turned over", "%1 triangles are turned over");
   if (sum.CrestPlaces && sum.CrestMinimum < lowCrest)
   {
-    said.push_back("the crest has " + std::to_string(std::lround(100.0 * sum.CrestMinimum)) +
-                   " % of its height where it is lowest");
+    said.emplace_back(
+      "the crest has %1 % of its height where it is lowest", std::lround(100.0 * sum.CrestMinimum));
   }
   if (sum.HeldBack > 0)
   {
-    said.push_back(
-      "the model is too thin there, or too near, for the height: it stops before the other side, at " +
-      std::to_string(std::lround(100.0 * sum.LeastShare)) + " % of it");
+    said.emplace_back("the model is too thin there, or too near, for the height: it stops before the other "
+                      "side, at %1 % of it",
+      std::lround(100.0 * sum.LeastShare));
   }
   if (sum.Residual > 1 + fewCrossings * sum.Crossings)
   {
-    said.push_back("at " + std::to_string(sum.Residual) + " of " + std::to_string(sum.Crossings) +
-                   " places where lines cross edges the mesh does not follow them");
+    said.emplace_back("at %1 of %2 places where lines cross edges the mesh does not follow them",
+      sum.Residual,
+      sum.Crossings);
   }
-  std::string text;
-  for (const std::string& part : said)
+  if (said.empty())
   {
-    text += (text.empty() ? "" : "; ") + part;
+    return {};
   }
-  const std::string remedy = this->Self->SketchMode == Silhouette
-                               ? "Draw nearer to the outline; a limb is pulled by one-stroke."
-                               : "Draw it less high or wider.";
-  return text.empty() ? text : "Not all is as drawn: " + text + ". " + remedy;
+  return { "Not all is as drawn: %1. %2",
+    said,
+    this->Self->SketchMode == Silhouette
+      ? Message("Draw nearer to the outline; a limb is pulled by one-stroke.")
+      : Message("Draw it less high or wider.") };
 }

@@ -309,7 +309,7 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   {
     if (!std::isfinite(value))
     {
-      throw Error(Failure::BadStroke, std::string(name) + " is not a finite number; set another.");
+      throw Error(Failure::BadStroke, "{%1} is not a finite number; set another.", name);
     }
   }
   const double radius = self->Radius < 0.0 ? 0.03 * DiagonalOf(this->Shape) : self->Radius;

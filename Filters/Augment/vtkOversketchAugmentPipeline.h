@@ -86,7 +86,7 @@ struct vtkOversketchAugment::Pipeline
   void AddFigures();
   double FigureOf(const std::string& name) const;
   // What of them is not as it should be; empty: nothing, or the run failed.
-  std::string Remark() const;
+  oversketch::Message Remark() const;
 
   // The user's mesh with what the steps made of it.
   void PutOutput(vtkPolyData* output);

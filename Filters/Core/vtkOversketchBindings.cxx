@@ -41,11 +41,7 @@ std::vector<Binding> ReadBindings(vtkPolyData* points,
   for (vtkIdType i = 0; i < count; ++i)
   {
     const auto refuse = [&](const char* problem)
-    {
-      std::ostringstream message;
-      message << "Point " << i << " of the " << holder << ' ' << problem << ": " << remedy << '.';
-      throw Error(Failure::BadMesh, message.str());
-    };
+    { throw Error(Failure::BadMesh, "Point %1 of the %2 %3: %4.", i, holder, problem, remedy); };
     Binding& binding = bindings[static_cast<std::size_t>(i)];
     weights->GetTuple(i, binding.weights.data());
     for (int k = 0; k < 3; ++k)

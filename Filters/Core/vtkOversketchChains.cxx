@@ -54,10 +54,11 @@ std::vector<Chain> readChains(vtkPolyData* curves, const VertexOf& vertexOf, con
       const int vertex = id >= 0 && id < points ? vertexOf(vertices->GetComponent(id, 0)) : -1;
       if (vertex < 0)
       {
-        std::ostringstream message;
-        message << "Point " << i << " of the " << holder
-                << " is no vertex of the mesh (array VertexId): " << chainRemedy << '.';
-        throw Error(Failure::BadStroke, message.str());
+        throw Error(Failure::BadStroke,
+          "Point %1 of the %2 is no vertex of the mesh (array VertexId): %3.",
+          i,
+          holder,
+          chainRemedy);
       }
       chain.Vertices.push_back(vertex);
       chain.Ids.push_back(id);
@@ -70,10 +71,10 @@ Chain readChain(vtkPolyData* curve, const VertexOf& vertexOf, const std::string&
 {
   if (curve->GetNumberOfLines() > 1)
   {
-    std::ostringstream message;
-    message << "There are " << curve->GetNumberOfLines() << " polylines where the " << holder
-            << " is one: give that one.";
-    throw Error(Failure::BadStroke, message.str());
+    throw Error(Failure::BadStroke,
+      "There are %1 polylines where the %2 is one: give that one.",
+      curve->GetNumberOfLines(),
+      holder);
   }
   return readChains(curve, vertexOf, holder).front();
 }

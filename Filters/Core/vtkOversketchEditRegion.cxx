@@ -24,8 +24,9 @@ std::vector<char> ReadEditRegion(vtkPolyData* mesh)
     if (label != EditLabel::Outside && label != EditLabel::Rim && label != EditLabel::Inside)
     {
       throw Error(Failure::BadRegion,
-        "EditRegion of vertex " + std::to_string(v) +
-          " is not 0 (outside), 1 (on the rim) or 2 (inside): " + remedy + ".");
+        "EditRegion of vertex %1 is not 0 (outside), 1 (on the rim) or 2 (inside): %2.",
+        v,
+        remedy);
     }
     labels.push_back(static_cast<char>(label));
   }
@@ -46,7 +47,7 @@ std::vector<int> ReadInside(vtkPolyData* mesh)
   if (inside.empty())
   {
     throw Error(Failure::BadRegion,
-      "No vertex lies strictly inside the boundary; draw it larger, or refine the mesh there.");
+      "No vertex lies strictly inside {the boundary}; draw it larger, or refine the mesh there.");
   }
   return inside;
 }

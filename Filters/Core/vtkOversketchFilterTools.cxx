@@ -44,11 +44,32 @@ struct ErrorCodeAccess : vtkAlgorithm
   static void Set(vtkAlgorithm* self, unsigned long code) { (self->*&ErrorCodeAccess::SetErrorCode)(code); }
 };
 
-void Fail(vtkAlgorithm* self, Failure failure, const std::string& message)
+// The message that an event of this thread tells, for as long as it does.
+class Told
+{
+public:
+  explicit Told(const Message& message)
+    : Before(Now)
+  {
+    Now = &message;
+  }
+  ~Told() { Now = this->Before; }
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+  static const Message* now() { return Now; }
+
+private:
+  const Message* Before;
+  static thread_local const Message* Now;
+};
+thread_local const Message* Told::Now = nullptr;
+
+void Fail(vtkAlgorithm* self, Failure failure, const Message& message)
 {
   if (failure != Failure::Cancelled)
   {
-    vtkErrorWithObjectMacro(self, << message);
+    const Told told(message);
+    vtkErrorWithObjectMacro(self, << message.text());
   }
   ErrorCodeAccess::Set(self, vtkErrorCode::UserError + static_cast<unsigned long>(failure));
   for (int port = 0; port < self->GetNumberOfOutputPorts(); ++port)
@@ -160,11 +181,11 @@ std::vector<Triangle> TrianglesOf(vtkPolyData* polyData)
       : convert(polys->GetOffsetsArray32()->GetPointer(0), polys->GetConnectivityArray32()->GetPointer(0));
   if (bad < polys->GetNumberOfCells())
   {
-    std::ostringstream message;
-    message << "Cell " << bad << " of the mesh "
-            << (polys->GetCellSize(bad) == 3 ? "names a point that does not exist; repair the mesh."
-                                             : "is not a triangle; pass the mesh through vtkTriangleFilter.");
-    throw Error(Failure::BadMesh, message.str());
+    throw Error(Failure::BadMesh,
+      "Cell %1 of the mesh %2",
+      bad,
+      (polys->GetCellSize(bad) == 3 ? "names a point that does not exist; repair the mesh."
+                                    : "is not a triangle; pass the mesh through vtkTriangleFilter."));
   }
   return triangles;
 }
@@ -188,7 +209,7 @@ int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
   }
   catch (const Error& error)
   {
-    Fail(self, error.failure(), error.what());
+    Fail(self, error.failure(), error.message());
   }
   catch (const std::bad_alloc&)
   {
@@ -196,13 +217,23 @@ int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
   }
   catch (const std::exception& error)
   {
-    Fail(self, Failure::Unexpected, std::string("Unexpected failure: ") + error.what());
+    Fail(self, Failure::Unexpected, { "Unexpected failure: %1", error.what() });
   }
   return 0;
 }
 
-std::string MessageOf(const void* eventData)
+void Warn(vtkObject* self, const Message& message)
 {
+  const Told told(message);
+  vtkWarningWithObjectMacro(self, << message.text());
+}
+
+Message MessageOf(const void* eventData)
+{
+  if (Told::now())
+  {
+    return *Told::now();
+  }
   std::string text = eventData ? static_cast<const char*>(eventData) : "";
   const std::size_t marker = text.find("): ");
   if (marker != std::string::npos)
@@ -300,10 +331,10 @@ View ViewOf(vtkPolyData* stroke)
       {
         if (array->GetComponent(cell, c) != array->GetComponent(0, c))
         {
-          std::ostringstream message;
-          message << "Strokes 0 and " << cell << " carry different views (array " << array->GetName()
-                  << "); give strokes of one view.";
-          throw Error(Failure::BadStroke, message.str());
+          throw Error(Failure::BadStroke,
+            "Strokes 0 and %1 carry different views (array %2); give strokes of one view.",
+            cell,
+            array->GetName());
         }
       }
     }
@@ -414,7 +445,7 @@ void RequireFinite(double value, const char* name)
 {
   if (!std::isfinite(value))
   {
-    throw Error(Failure::BadStroke, std::string(name) + " is not a finite number; set another.");
+    throw Error(Failure::BadStroke, "{%1} is not a finite number; set another.", name);
   }
 }
 

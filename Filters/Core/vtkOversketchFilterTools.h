@@ -21,6 +21,7 @@
 class vtkAlgorithm;
 class vtkDataArray;
 class vtkDataSetAttributes;
+class vtkObject;
 class vtkPolyData;
 
 namespace oversketch
@@ -36,10 +37,16 @@ namespace oversketch
 OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::function<void()>& body);
 
 /**
- * The bare message of an error or warning event, from what its observer is given: VTK's macros wrap it as
- * "ERROR: In file, line N\nClass (address): message\n\n".
+ * Tells a warning event of an object: one vtkWarningMacro. Its observers get the message itself by MessageOf.
  */
-OVERSKETCHFILTERSCORE_EXPORT std::string MessageOf(const void* eventData);
+OVERSKETCHFILTERSCORE_EXPORT void Warn(vtkObject* self, const Message& message);
+
+/**
+ * The message of an error or warning event, from what its observer is given: while RunFilter or Warn tell
+ * one, that one. Of others, the bare text; VTK's macros wrap it as "ERROR: In file, line N\nClass (address):
+ * message\n\n".
+ */
+OVERSKETCHFILTERSCORE_EXPORT Message MessageOf(const void* eventData);
 
 /**
  * Sets a text parameter of a filter, which is modified where it is another text; null is an empty one.

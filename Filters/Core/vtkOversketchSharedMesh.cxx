@@ -40,9 +40,9 @@ std::shared_ptr<const std::vector<Vector3>> OwnNormals(vtkPolyData* polyData)
     const double length = normals[i].norm();
     if (!std::isfinite(length))
     {
-      std::ostringstream message;
-      message << "Normal " << i << " of the mesh is not finite; remove the point normals or recompute them.";
-      throw Error(Failure::BadMesh, message.str());
+      throw Error(Failure::BadMesh,
+        "Normal %1 of the mesh is not finite; remove the point normals or recompute them.",
+        i);
     }
     if (length > 0.0)
     {

@@ -75,7 +75,7 @@ void StepRunner::Run(const std::function<void()>& work)
     }
   };
   require();
-  this->FirstError.clear();
+  this->FirstError = {};
   this->Step->SetAbortExecute(0); // set after the last run's work was done, it would stop this one
   try
   {

@@ -7,10 +7,11 @@
 
 #include "OversketchFiltersCoreModule.h" // For export macro
 
+#include "Mesh/message.h"
+
 #include "vtkNew.h"
 
 #include <functional>
-#include <string>
 
 class vtkAlgorithm;
 class vtkCallbackCommand;
@@ -30,9 +31,9 @@ public:
    */
   struct Listener
   {
-    std::function<void(double share)> progress;              // of the step [0 to 1]
-    std::function<void(const std::string& message)> warning; // the bare message (MessageOf)
-    std::function<bool()> cancelled;                         // asked whenever the step tells its progress
+    std::function<void(double share)> progress;          // of the step [0 to 1]
+    std::function<void(const Message& message)> warning; // see MessageOf
+    std::function<bool()> cancelled;                     // asked whenever the step tells its progress
   };
 
   StepRunner(vtkAlgorithm* step, Listener listener);
@@ -57,7 +58,7 @@ private:
   vtkAlgorithm* Step;
   Listener Who;
   vtkNew<vtkCallbackCommand> Observer;
-  std::string FirstError;
+  Message FirstError;
 };
 
 } // namespace oversketch

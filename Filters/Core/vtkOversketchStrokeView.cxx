@@ -51,7 +51,7 @@ View ViewOfStroke(vtkPolyData* strokes, vtkIdType stroke)
   }
   catch (const Error& error)
   {
-    throw Error(error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what());
+    throw Error(error.failure(), Message::unusable("Stroke", stroke, error.message()));
   }
 }
 

@@ -70,7 +70,8 @@ Binding PlaceOf(vtkPolyData* planes, int vertexCount)
     if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != 1)
     {
       throw Error(Failure::MissingArray,
-        std::string("The planes have no field arrays MeshVertices and MeshWeights: ") + planesRemedy + ".");
+        "The planes have no field arrays MeshVertices and MeshWeights: %1.",
+        planesRemedy);
     }
   }
   Binding place;
@@ -80,8 +81,8 @@ Binding PlaceOf(vtkPolyData* planes, int vertexCount)
     if (!(v >= 0.0 && v < vertexCount))
     {
       throw Error(Failure::BadStroke,
-        std::string("The planes' place hangs on a vertex that the mesh does not have: ") + planesRemedy +
-          " of this mesh.");
+        "The planes' place hangs on a vertex that the mesh does not have: %1 of this mesh.",
+        planesRemedy);
     }
     place.vertices[k] = static_cast<int>(v);
     place.weights[k] = weights->GetComponent(0, k);
@@ -268,8 +269,8 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
           const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
           if (!planes->GetFieldData()->GetArray("PlaneT"))
           {
-            throw Error(Failure::MissingArray,
-              std::string("The planes input has no field array PlaneT: ") + planesRemedy + ".");
+            throw Error(
+              Failure::MissingArray, "The planes input has no field array PlaneT: %1.", planesRemedy);
           }
           SectionRules rules;
           rules.ends = this->Ends == Outermost ? SectionRules::Ends::Outermost : SectionRules::Ends::Nearest;
@@ -283,16 +284,18 @@ int vtkOversketchCrossSection::RequestData(vtkInformation*,
           {
             if (this->Ends == Nearest)
             {
-              vtkWarningMacro(
-                "From the reference curve the plane goes round the model or a limb and back without meeting "
-                "the boundary curve: there is no profile; slide it along the reference curve, or draw the "
+              Warn(this,
+                "From {the reference curve} the plane goes round the model or a limb and back without "
+                "meeting "
+                "{the boundary curve}: there is no profile; slide it along {the reference curve}, or draw "
+                "the "
                 "boundary so that the limb's tip is not inside.");
             }
             else
             {
-              vtkWarningMacro(
-                "The plane meets the boundary curve fewer than twice: there is no profile; slide it "
-                "along the reference curve.");
+              Warn(this,
+                "The plane meets {the boundary curve} fewer than twice: there is no profile; slide it "
+                "along {the reference curve}.");
             }
             return;
           }

@@ -31,7 +31,7 @@ Matrix4 LogOf(const Matrix4& matrix, std::size_t handle)
   }
   catch (const Error& error)
   {
-    throw Error(error.failure(), "Handle " + std::to_string(handle) + ": " + error.what());
+    throw Error(error.failure(), "Handle %1: %2", handle, error.message());
   }
 }
 
@@ -49,9 +49,10 @@ struct Line
     if (data->GetNumberOfLines() != 1 || data->GetNumberOfCells() != 1)
     {
       throw Error(Failure::BadStroke,
-        "The " + holder + " input holds " + std::to_string(data->GetNumberOfLines()) + " polylines and " +
-          std::to_string(data->GetNumberOfCells() - data->GetNumberOfLines()) +
-          " other cells; exactly one polyline is needed.");
+        "The %1 input holds %2 polylines and %3 other cells; exactly one polyline is needed.",
+        holder,
+        data->GetNumberOfLines(),
+        data->GetNumberOfCells() - data->GetNumberOfLines());
     }
     vtkNew<vtkIdList> ids;
     data->GetLines()->GetCellAtId(0, ids);
@@ -60,8 +61,7 @@ struct Line
       const vtkIdType id = ids->GetId(i);
       if (id < 0 || id >= data->GetNumberOfPoints())
       {
-        throw Error(Failure::BadStroke,
-          "Point " + std::to_string(i) + " of the " + holder + " does not exist; draw it anew.");
+        throw Error(Failure::BadStroke, "Point %1 of the %2 does not exist; draw it anew.", i, holder);
       }
       Vector3 point;
       data->GetPoint(id, point.data());
@@ -102,16 +102,17 @@ FlatProfile ProfileOf(vtkPolyData* data)
         !(std::abs(profile.beside[i]) <= 1.0 + 1e-6))
     {
       throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) +
-          " of the profile is not finite, or its CurveT or SideDistance is none: " + profileRemedy + ".");
+        "Point %1 of the profile is not finite, or its CurveT or SideDistance is none: %2.",
+        i,
+        profileRemedy);
     }
   }
   const Eigen::Matrix3d linear = profile.toWorld.topLeftCorner<3, 3>();
   if (profile.points.size() < 2 || !(std::abs(linear.determinant()) > 0.0))
   {
     throw Error(Failure::BadStroke,
-      std::string("The profile has fewer than two points, or its ProfileMatrix is singular: ") +
-        profileRemedy + ".");
+      "The profile has fewer than two points, or its ProfileMatrix is singular: %1.",
+      profileRemedy);
   }
   return profile;
 }

@@ -55,8 +55,8 @@ Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
     if (!position.allFinite() || !target.allFinite() || !std::isfinite(handles.Shares.back()))
     {
       throw Error(Failure::BadMesh,
-        "Handle " + std::to_string(h) +
-          " has a position, a Target or a MergeRatio that is not finite; compute the targets again.");
+        "Handle %1 has a position, a Target or a MergeRatio that is not finite; compute the targets again.",
+        h);
     }
     handles.Displacements.push_back(target - position);
   }

@@ -70,8 +70,9 @@ int vtkOversketchMirror::RequestData(vtkInformation*,
       if (after->GetNumberOfPoints() != count)
       {
         throw Error(Failure::BadMesh,
-          "The deformed mesh has " + std::to_string(after->GetNumberOfPoints()) +
-            " points, the mesh before " + std::to_string(count) + ": deform without remeshing.");
+          "The deformed mesh has %1 points, the mesh before %2: deform without remeshing.",
+          after->GetNumberOfPoints(),
+          count);
       }
       output->ShallowCopy(after);
       const auto axis = static_cast<std::size_t>(this->Axis);
@@ -133,9 +134,11 @@ int vtkOversketchMirror::RequestData(vtkInformation*,
         if (near->GetNumberOfIds() == 0)
         {
           throw Error(Failure::BadMesh,
-            "Point " + std::to_string(i) + " moved, but the mesh has no point where the plane " +
-              "xyz"[axis] + " = " + std::to_string(offset) +
-              " reflects it to: the mesh is not symmetric there; deform it without symmetry.");
+            "Point %1 moved, but the mesh has no point where the plane %2 = %3 reflects it to: the mesh is "
+            "not symmetric there; deform it without symmetry.",
+            i,
+            "xyz"[axis],
+            offset);
         }
         // Several points lie in one place along seams: each is followed by all of its mirrored place, with
         // the normals that are most alike.

@@ -37,7 +37,7 @@ constexpr double leastFacing = 0.7;
 const char* const drawOnSection =
   "draw it over the section, or give places in its plane, where the section goes from x = 0 to 1";
 
-[[noreturn]] void refuse(const std::string& message)
+[[noreturn]] void refuse(const Message& message)
 {
   throw Error(Failure::BadStroke, message);
 }
@@ -59,17 +59,18 @@ Polyline ontoPlane(const View& view, const Polyline& samples, const std::string&
     const auto place = ontoCanvas(view, samples[i]);
     if (!place)
     {
-      refuse("Sample " + std::to_string(i) +
-             " of the profile does not meet the section's plane in the view that it was drawn in; draw the "
-             "profile again.");
+      refuse({ "Sample %1 of the profile does not meet the section's plane in the view that it was drawn in; "
+               "draw the profile again.",
+        i });
     }
     places.push_back(*place);
   }
   const Vector3 towards = view.towardsViewer(Vector3(places.front()[0], places.front()[1], 0.0)).normalized();
   if (!(std::abs(towards[2]) >= leastFacing))
   {
-    refuse(who + " was drawn in a view that looks at the section's plane askew, as one of the model does; " +
-           drawOnSection + '.');
+    refuse({ "%1 was drawn in a view that looks at the section's plane askew, as one of the model does; %2.",
+      who,
+      drawOnSection });
   }
   return places;
 }
@@ -79,12 +80,13 @@ void requireSection(const Polyline& line, const std::string& who)
   const double length = arcLengths(line).back();
   if (!(length > 0.0))
   {
-    refuse(who + " has no length; draw it from side to side.");
+    refuse({ "%1 has no length; draw it from side to side.", who });
   }
   if ((line.back() - line.front()).norm() < leastGap * length)
   {
-    refuse(who + " is closed, it ends where it begins, at " + textOf(line.front()) +
-           "; draw one line from side to side.");
+    refuse({ "%1 is closed, it ends where it begins, at %2; draw one line from side to side.",
+      who,
+      textOf(line.front()) });
   }
 }
 
@@ -141,7 +143,8 @@ void LayInPlane(vtkPolyData* profile, const std::string& who, vtkPolyData* drawn
   }
   if (const auto crossing = selfCrossing(laid, leastLoop * length))
   {
-    refuse(who + " crosses itself near " + textOf(*crossing) + "; draw it from side to side without a loop.");
+    refuse(
+      { "%1 crosses itself near %2; draw it from side to side without a loop.", who, textOf(*crossing) });
   }
   lines->InsertNextCell(static_cast<int>(laid.size()));
   for (const Vector2& p : laid)
@@ -188,8 +191,10 @@ void RequireOtherView(vtkPolyData* strokes,
       }
       if (same == its.size())
       {
-        refuse(who + " was drawn on the model, in the view of the line or of the ring; draw it over " +
-               plane + ", in its own view.");
+        refuse({ "%1 was drawn on the model, in the view of the line or of the ring; draw it over %2, in its "
+                 "own view.",
+          who,
+          plane });
       }
     }
   }

@@ -86,7 +86,7 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
 {
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
-  this->Remark.clear();
+  Message remark;
   const int done = this->RunSystem(
     [&]
     {
@@ -109,7 +109,9 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         {
           throw;
         }
-        throw Error(error.failure(), error.what() + inner.CircleThatWouldDo(all));
+        const Message circle = inner.CircleThatWouldDo(all);
+        throw Error(
+          error.failure(), circle.empty() ? error.message() : Message::joined({ error.message(), circle }));
       }
       inner.RunDeform();
       inner.RunTriangles();
@@ -118,18 +120,15 @@ int vtkOversketchEdit::RequestData(vtkInformation*,
         vtkPolyData::GetData(outputs, 1),
         vtkPolyData::GetData(outputs, 2));
       const EditFigures& figures = inner.Made->Figures;
-      const std::string remark = RemarkOf(figures);
+      const Message said = RemarkOf(figures);
       constexpr int few = 10; // pairs of triangles
       if (!this->AsPublished && figures.depth > 0.0 && figures.crossings > few)
       {
-        throw Error(Failure::BadStroke, remark);
+        throw Error(Failure::BadStroke, said);
       }
-      this->Remark = remark;
+      remark = said;
     });
-  if (!this->Remark.empty())
-  {
-    vtkWarningMacro(<< this->Remark);
-  }
+  this->SetRemark(remark);
   return done;
 }
 
@@ -197,11 +196,6 @@ int vtkOversketchEdit::GetBridges()
   return this->Inner->Made ? this->Inner->Made->Bridges : 0;
 }
 
-const char* vtkOversketchEdit::GetRemark()
-{
-  return this->Remark.c_str();
-}
-
 void vtkOversketchEdit::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
@@ -257,5 +251,4 @@ void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Crossings: " << this->GetCrossings() << "\n";
   os << indent << "ShareSeen: " << this->GetShareSeen() << "\n";
   os << indent << "Bridges: " << this->GetBridges() << "\n";
-  os << indent << "Remark: " << this->Remark << "\n";
 }

@@ -193,7 +193,7 @@ public:
   int GetCrossings();
   int GetBridges();
   double GetShareSeen();
-  const char* GetRemark() override; // of these, but points and gaps; of a profile that comes out at the back
+  // of these, but points and gaps; of a profile that comes out at the back
   ///@}
 
   /**
@@ -241,7 +241,6 @@ private:
   double Feather = 0.05;
   int Rule = Edit;
   bool AsPublished = false;
-  std::string Remark;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;

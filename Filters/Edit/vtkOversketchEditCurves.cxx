@@ -90,14 +90,14 @@ void DrawnLines::Read(vtkPolyData* input, const std::string& holder)
   }
   if (input->GetNumberOfPoints() == 0 || input->GetNumberOfCells() == 0)
   {
-    throw Error(Failure::BadStroke, "There is no " + holder + " curve; draw one over the mesh.");
+    throw Error(Failure::BadStroke, "There is no %1 curve; draw one over the mesh.", holder);
   }
   if (input->GetNumberOfLines() != input->GetNumberOfCells())
   {
     throw Error(Failure::BadStroke,
-      "The " + holder + " input holds " +
-        std::to_string(input->GetNumberOfCells() - input->GetNumberOfLines()) +
-        " cells that are no polylines; give the curve, and what redraws it, alone.");
+      "The %1 input holds %2 cells that are no polylines; give the curve, and what redraws it, alone.",
+      holder,
+      input->GetNumberOfCells() - input->GetNumberOfLines());
   }
   std::vector<vtkSmartPointer<vtkPolyData>> lines;
   vtkNew<vtkIdList> ids;
@@ -108,8 +108,9 @@ void DrawnLines::Read(vtkPolyData* input, const std::string& holder)
           ids->begin(), ids->end(), [&](vtkIdType id) { return id < 0 || id >= input->GetNumberOfPoints(); }))
     {
       throw Error(Failure::BadStroke,
-        "Polyline " + std::to_string(i) + " of the " + holder +
-          " input has points that do not exist; draw it anew.");
+        "Polyline %1 of the %2 input has points that do not exist; draw it anew.",
+        i,
+        holder);
     }
     vtkSmartPointer<vtkPolyData> line = StrokeAlone(input, i);
     const std::size_t k = lines.size();
@@ -118,8 +119,9 @@ void DrawnLines::Read(vtkPolyData* input, const std::string& holder)
   if (lines.size() > 1 && IsCurveOfEdit(input))
   {
     throw Error(Failure::BadStroke,
-      "The " + holder + " input holds " + std::to_string(lines.size()) +
-        " curves of earlier edits; give the one that is to count.");
+      "The %1 input holds %2 curves of earlier edits; give the one that is to count.",
+      holder,
+      lines.size());
   }
   this->Lines = std::move(lines);
   this->Seen = now;
@@ -147,8 +149,8 @@ void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context
     const SurfaceHit hit = surface.closest(place);
     if (!hit.found())
     {
-      throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) + " of a curve of an earlier edit is not finite; draw the curve anew.");
+      throw Error(
+        Failure::BadStroke, "Point %1 of a curve of an earlier edit is not finite; draw the curve anew.", i);
     }
     points->InsertNextPoint(hit.position.data());
     triangles->InsertNextValue(hit.at.triangle);

@@ -191,13 +191,18 @@ void SayWhose(const char* whose, const Run& run)
   }
   catch (const Error& error)
   {
-    std::string text = error.what();
-    const std::size_t end = text.find(" cannot be used: ");
-    if (end == std::string::npos || (text.rfind("Stroke ", 0) != 0 && text.rfind("Curve ", 0) != 0))
+    for (const char* what : { "Stroke", "Curve" })
     {
-      throw;
+      if (error.message().id() == Message::unusable(what, 0, {}).id())
+      {
+        const auto& arguments = error.message().arguments();
+        throw Error(error.failure(),
+          ("{" + std::string(what) + " %1 of the " + whose + "} cannot be used: %2").c_str(),
+          arguments[0].text,
+          arguments[1].messages.front());
+      }
     }
-    throw Error(error.failure(), text.insert(end, std::string(" of the ") + whose));
+    throw;
   }
 }
 

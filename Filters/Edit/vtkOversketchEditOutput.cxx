@@ -90,9 +90,9 @@ void RequireApart(vtkPolyData* mesh)
     const std::size_t left =
       static_cast<std::size_t>(*std::max_element(vertices.begin(), vertices.end())) + 1;
     throw Error(Failure::Torn,
-      "The edit brings " + std::to_string(places.size() - left) +
-        " vertices to places where others are already, which would be one when the mesh is read again: "
-        "make a smaller edit, or nearer to the origin.");
+      "The edit brings %1 vertices to places where others are already, which would be one when the mesh is "
+      "read again: make a smaller edit, or nearer to the origin.",
+      places.size() - left);
   }
 }
 

@@ -96,7 +96,7 @@ struct vtkOversketchEdit::Pipeline
   // All before the deformation.
   void RunToWeights(const Inputs& inputs);
   // Of a ring that encloses no region another one that does, as a sentence; empty where none is found.
-  std::string CircleThatWouldDo(const Inputs& inputs);
+  oversketch::Message CircleThatWouldDo(const Inputs& inputs);
   bool Show(const std::string& operations, vtkPolyData* edited); // as PreviewEdit
   void PutPreview(vtkPolyData* edited);
   void PutOutput(vtkPolyData* mesh, vtkPolyData* output, vtkPolyData* reference, vtkPolyData* boundary);

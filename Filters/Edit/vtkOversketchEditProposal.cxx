@@ -71,12 +71,12 @@ void putCircle(const Circle& circle, vtkPolyData* view, vtkPolyData* ring)
 } // namespace
 
 // From nearly as wide as the ring down to just round the line, in its view; of whole pixels, as it is told.
-std::string vtkOversketchEdit::Pipeline::CircleThatWouldDo(const Inputs& inputs)
+Message vtkOversketchEdit::Pipeline::CircleThatWouldDo(const Inputs& inputs)
 {
   constexpr double widest = 0.9, narrowest = 1.1, step = 0.75;
   if (IsCurveOfEdit(inputs.Reference) || IsCurveOfEdit(inputs.Boundary))
   {
-    return "";
+    return {};
   }
   const auto line = StrokeAlone(inputs.Reference, 0), drawn = StrokeAlone(inputs.Boundary, 0);
   const Circle round = circleRound(ReadStrokes(line).front().Samples);
@@ -102,11 +102,10 @@ std::string vtkOversketchEdit::Pipeline::CircleThatWouldDo(const Inputs& inputs)
       });
     if (does)
     {
-      std::ostringstream told;
-      told << " A circle of " << circle.radius << " px round (" << circle.middle[0] << ", "
-           << circle.middle[1] << ") would do.";
-      return told.str();
+      return {
+        "A circle of %1 px round (%2, %3) would do.", circle.radius, circle.middle[0], circle.middle[1]
+      };
     }
   }
-  return "";
+  return {};
 }

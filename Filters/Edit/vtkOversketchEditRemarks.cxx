@@ -193,38 +193,40 @@ double DepthInThickness(vtkPolyData* section, vtkPolyData* drawn, vtkPolyData* g
   return deepest > 1.0 ? deepest : 0.0;
 }
 
-std::string RemarkOf(const EditFigures& figures)
+Message RemarkOf(const EditFigures& figures)
 {
-  std::string remark;
-  const auto say = [&](const std::string& sentence) { remark += (remark.empty() ? "" : " ") + sentence; };
+  std::vector<Message> said;
   if (figures.depth > 0.0)
   {
-    char times[32];
-    std::snprintf(times, sizeof times, "%.1f", figures.depth);
-    say(std::string("The profile is drawn ") + times +
-        " times as deep as the model is thick there, and comes out on the far side: draw it less deep.");
+    said.emplace_back(
+      "The profile is drawn %1 times as deep as the model is thick there, and comes out on the far "
+      "side: draw it less deep.",
+      std::round(10.0 * figures.depth) / 10.0);
   }
-  const std::string remedy = figures.isProfile
-                               ? ": draw the profile nearer to the section, or the ring wider."
-                               : ": drag less far, or draw the ring wider.";
+  const Message remedy = figures.isProfile ? "draw the profile nearer to the section, or the ring wider"
+                                           : "drag less far, or draw the ring wider";
   if (figures.crossings > 0)
   {
-    say("The edit makes the model pass through itself, in " + std::to_string(figures.crossings) +
-        (figures.crossings == 1 ? " pair" : " pairs") + " of triangles" + remedy);
+    said.emplace_back(figures.crossings == 1
+                        ? "The edit makes the model pass through itself, in %1 pair of triangles: %2."
+                        : "The edit makes the model pass through itself, in %1 pairs of triangles: %2.",
+      figures.crossings,
+      remedy);
   }
   if (figures.folds > 0)
   {
-    say("The edit folds the model along " + std::to_string(figures.folds) +
-        (figures.folds == 1 ? " edge" : " edges") + remedy);
+    said.emplace_back(figures.folds == 1 ? "The edit folds the model along %1 edge: %2."
+                                         : "The edit folds the model along %1 edges: %2.",
+      figures.folds,
+      remedy);
   }
   if (figures.shareSeen < leastSeen)
   {
-    say("Only " + std::to_string(static_cast<int>(std::lround(100.0 * figures.shareSeen))) +
-        " % of the ring lies where it was drawn, the rest on what is hidden there: see whether that is "
-        "meant, or "
-        "draw the ring where the model is seen.");
+    said.emplace_back("Only %1 % of the ring lies where it was drawn, the rest on what is hidden there: see "
+                      "whether that is meant, or draw the ring where the model is seen.",
+      std::lround(100.0 * figures.shareSeen));
   }
-  return remark;
+  return Message::joined(said);
 }
 
 } // namespace oversketch

@@ -33,7 +33,7 @@ struct EditFigures
   double shareSeen = 1.0; // of the ring
 };
 
-std::string RemarkOf(const EditFigures& figures);
+Message RemarkOf(const EditFigures& figures);
 
 } // namespace oversketch
 #endif

@@ -115,7 +115,7 @@ vtkSmartPointer<vtkPolyData> placed(vtkPolyData* part, int number, bool withCoor
     const Vector3 place = placement(Vector3(part->GetPoint(i)));
     if (!place.allFinite())
     {
-      throw Error(Failure::BadMesh, "Point " + std::to_string(i) + " is not finite; repair or remove it.");
+      throw Error(Failure::BadMesh, "Point %1 is not finite; repair or remove it.", i);
     }
     points->SetPoint(i, place.data());
   }
@@ -226,7 +226,7 @@ int vtkOversketchAssemble::RequestData(vtkInformation*,
         }
         catch (const Error& error)
         {
-          throw Error(error.failure(), "Part " + std::to_string(i) + ": " + error.what());
+          throw Error(error.failure(), "Part %1: %2", i, error.message());
         }
       }
       vtkPolyData* output = vtkPolyData::GetData(outputs);

@@ -110,8 +110,7 @@ Solid SolidOf(vtkPolyData* surface)
     surface->GetPoint(i, point.place.data());
     if (!point.place.allFinite())
     {
-      throw Error(Failure::BadMesh,
-        "Point " + std::to_string(i) + " of the surface is not finite; repair or remove it.");
+      throw Error(Failure::BadMesh, "Point %1 of the surface is not finite; repair or remove it.", i);
     }
     point.side = static_cast<int>(sides->GetComponent(i, 0));
     point.planar = static_cast<int>(planar->GetComponent(i, 0));
@@ -126,8 +125,7 @@ Solid SolidOf(vtkPolyData* surface)
     SolidFace face;
     if (corners->GetNumberOfIds() < 3 || corners->GetNumberOfIds() > 4)
     {
-      throw Error(Failure::BadMesh,
-        "Cell " + std::to_string(f) + " of the surface is no triangle and no quad; " + remedy + ".");
+      throw Error(Failure::BadMesh, "Cell %1 of the surface is no triangle and no quad; %2.", f, remedy);
     }
     for (int k = 0; k < static_cast<int>(corners->GetNumberOfIds()); ++k)
     {

@@ -242,7 +242,7 @@ void vtkOversketchInflateDrawing::Pipeline::RunCurves()
     {
       throw;
     }
-    throw Error(error.failure(), std::string(error.what()) + " Or let strokes cross: turn Arrange on.");
+    throw Error(error.failure(), "%1 Or let strokes cross: {Arrange on}.", error.message());
   }
   this->Self->RunStage("Treatment");
   this->Self->RunStage("Distance");
@@ -299,11 +299,14 @@ void vtkOversketchInflateDrawing::Pipeline::RefuseSplits(const StrokeSplit& spli
   const std::vector<double> lengths = arcLengths(points);
   const Vector2 at =
     placeAt(lengths, static_cast<int>(points.size()), 0.5 * (split.start + split.end)).of(points);
-  std::ostringstream message;
-  message << "Stroke " << nameOf(strokes, split.stroke) << " still turns triangles over near (" << at[0]
-          << ", " << at[1] << ") after " << mostRebuilds
-          << " rebuilds of the mesh; draw it there with more room to what is beside it.";
-  throw Error(Failure::BadStroke, message.str());
+  throw Error(Failure::BadStroke,
+    "{Stroke %1} still turns triangles over near {(%2, %3)} after %4 rebuilds of the mesh; draw it there "
+    "with "
+    "more room to what is beside it.",
+    nameOf(strokes, split.stroke),
+    at[0],
+    at[1],
+    mostRebuilds);
 }
 
 void vtkOversketchInflateDrawing::Pipeline::RunSurface()

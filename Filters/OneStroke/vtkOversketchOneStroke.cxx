@@ -40,7 +40,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   inner.Following.reset();
   inner.Hold->Initialize();
   inner.Effect = StrokeEffect();
-  inner.Remark.clear();
+  inner.Remark = {};
   this->Remeshed = false;
   const int done = this->RunSystem(
     [&]
@@ -56,8 +56,8 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       if (stroke->GetNumberOfLines() > 1)
       {
         throw Error(Failure::BadStroke,
-          "The stroke input holds " + std::to_string(stroke->GetNumberOfLines()) +
-            " polylines, and one deforms the mesh: give them one after the other.");
+          "The stroke input holds %1 polylines, and one deforms the mesh: give them one after the other.",
+          stroke->GetNumberOfLines());
       }
       inner.FeedStroke(stroke);
       inner.FeedMesh(mesh);
@@ -66,10 +66,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
       inner.RunBest();
       inner.PutOutput(mesh, output);
     });
-  if (!inner.Remark.empty())
-  {
-    vtkWarningMacro(<< inner.Remark);
-  }
+  this->SetRemark(done ? inner.Remark : Message());
   inner.MadeMeshes.clear();
   return done;
 }
@@ -240,11 +237,6 @@ int vtkOversketchOneStroke::GetNumberOfCandidates() const
   return this->Inner->Match->GetNumberOfCandidates();
 }
 
-const char* vtkOversketchOneStroke::GetRemark()
-{
-  return this->Inner->Remark.c_str();
-}
-
 double vtkOversketchOneStroke::GetOutlineDistance() const
 {
   return this->Inner->Effect.outline.mean;
@@ -325,6 +317,5 @@ void vtkOversketchOneStroke::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Candidate: " << this->Candidate << "\n";
   os << indent << "Reach: " << this->Reach << "\n";
   os << indent << "AllowTorn: " << this->AllowTorn << "\n";
-  os << indent << "Remark: " << this->GetRemark() << "\n";
   os << indent << "Remeshed: " << this->Remeshed << "\n";
 }

@@ -200,7 +200,6 @@ public:
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
   void GetHold(vtkPolyData* hold) override;
   void GetRegion(vtkPolyData* region) override;
-  const char* GetRemark() override;
   bool Drag(const double translation[3], vtkPoints* points) override;
   void ReleaseWork() override;
   ///@}

@@ -355,19 +355,18 @@ void vtkOversketchOneStroke::Pipeline::RunBest()
 
 void vtkOversketchOneStroke::Pipeline::Judge(const StrokeEffect& effect)
 {
-  const std::string torn = tornBy(effect);
+  const Message torn = tornBy(effect);
   if (!torn.empty() && !this->Self->AllowTorn && !this->Self->AsPublished)
   {
     throw Error(Failure::Torn,
-      "The stroke would tear the mesh: " + torn +
-        ". Draw it nearer to the outline that it is to replace, of one limb alone, or, if that is meant, "
-        "turn "
-        "AllowTorn on.");
+      "The stroke would tear the mesh: %1. Draw it nearer to the outline that it is to replace, of one limb "
+      "alone, or, if that is meant, {AllowTorn on}.",
+      torn);
   }
   this->Effect = effect;
   StrokeEffect told = effect;
   told.missed = this->Missed(effect);
-  std::vector<std::string> said = remarks(told);
+  std::vector<Message> said = remarks(told);
   if (!torn.empty() && std::find(said.begin(), said.end(), torn) == said.end())
   {
     said.insert(said.begin(), torn);
@@ -375,16 +374,12 @@ void vtkOversketchOneStroke::Pipeline::Judge(const StrokeEffect& effect)
   const double wanted = std::max(this->Stretch->GetTrianglesWanted(), this->Restore->GetTrianglesWanted());
   if (this->Self->Remeshed && wanted > 0.0)
   {
-    said.push_back("new triangles are larger than those round them, as " +
-                   std::to_string(std::llround(wanted)) + " would have been needed");
+    said.emplace_back(
+      "new triangles are larger than those round them, as %1 would have been needed", std::llround(wanted));
   }
-  for (const std::string& one : said)
+  if (!said.empty())
   {
-    this->Remark += (this->Remark.empty() ? "" : "; ") + one;
-  }
-  if (!this->Remark.empty())
-  {
-    this->Remark = "The result is not as drawn: " + this->Remark + ".";
+    this->Remark = { "The result is not as drawn: %1.", said };
   }
 }
 

@@ -131,7 +131,7 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkOversketchRemesh> Restore;
   vtkNew<vtkPolyData> Hold; // the section that the last run matched
   oversketch::StrokeEffect Effect;
-  std::string Remark;
+  oversketch::Message Remark;
   const char* Deformation = "Deform"; // the stage whose output the last result was made of
   // How that result follows a drag; null after a run that failed.
   std::unique_ptr<oversketch::Followers> Following;

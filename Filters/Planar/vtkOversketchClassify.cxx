@@ -24,7 +24,7 @@ struct vtkOversketchClassify::Cache
 {
   KeptOutput Kept;
   vtkNew<vtkImageData> Labels;
-  std::vector<std::string> Warnings;
+  std::vector<Message> Warnings;
 };
 
 vtkStandardNewMacro(vtkOversketchClassify);
@@ -38,36 +38,22 @@ bool spoilsTheDrawing(Rejection why)
   return why == Rejection::Crosses || why == Rejection::CrossesItself || why == Rejection::Areas;
 }
 
-std::string sentence(std::string text)
-{
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
 // What to say of the strokes that can be left out. Throws what is to be said of the others.
-std::vector<std::string> judged(const Classification& classification, const std::vector<DrawnStroke>& strokes)
+std::vector<Message> judged(const Classification& classification, const std::vector<DrawnStroke>& strokes)
 {
-  std::vector<std::string> warnings;
-  std::string error;
+  std::vector<Message> warnings, errors;
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
     const Rejection why = classification.strokes[i].rejection;
     if (why != Rejection::None)
     {
-      const std::string text = sentence(rejectionText(classification, static_cast<int>(i), strokes));
-      if (spoilsTheDrawing(why))
-      {
-        error += (error.empty() ? "" : " ") + text;
-      }
-      else
-      {
-        warnings.push_back(text);
-      }
+      (spoilsTheDrawing(why) ? errors : warnings)
+        .push_back(rejectionText(classification, static_cast<int>(i), strokes));
     }
   }
-  if (!error.empty())
+  if (!errors.empty())
   {
-    throw Error(Failure::BadStroke, error);
+    throw Error(Failure::BadStroke, Message::joined(errors));
   }
   return warnings;
 }
@@ -156,9 +142,9 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
           resolution->InsertNextValue(this->Resolution);
           result->GetFieldData()->AddArray(resolution);
         });
-      for (const std::string& warning : cache.Warnings)
+      for (const Message& warning : cache.Warnings)
       {
-        vtkWarningMacro(<< warning);
+        Warn(this, warning);
       }
       output->GetPointData()->PassData(curves->GetPointData());
       PassDrawingArrays(curves, output);

@@ -38,8 +38,7 @@ std::vector<Vector2> dartsOf(vtkPolyData* darts)
     darts->GetPoint(i, place);
     if (!std::isfinite(place[0]) || !std::isfinite(place[1]))
     {
-      throw Error(Failure::BadStroke,
-        "Dart " + std::to_string(i) + " is not finite; take the darts from vtkOversketchDarts.");
+      throw Error(Failure::BadStroke, "Dart %1 is not finite; take the darts from vtkOversketchDarts.", i);
     }
     places.emplace_back(place[0], place[1]);
   }

@@ -65,7 +65,7 @@ int vtkOversketchDarts::RequestData(vtkInformation*,
       {
         throw Error(Failure::MissingArray,
           "There is no distance image to throw darts in: connect that of vtkOversketchDistance, or choose "
-          "DartMode Off.");
+          "{DartMode Off}.");
       }
       this->Internals->Kept.Provide(
         StepKey({ PlanarKey(polylines), ImageKey(distance) },

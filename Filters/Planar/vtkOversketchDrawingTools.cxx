@@ -65,8 +65,9 @@ std::vector<Value> valuesOf(vtkImageData* image, const char* name)
 [[noreturn]] void contradiction(std::size_t stroke, const std::string& what)
 {
   throw Error(Failure::BadStroke,
-    "Stroke " + std::to_string(stroke) + " " + what +
-      "; take the curves from vtkOversketchClassify as it put them out.");
+    "{Stroke %1} %2; take the curves from vtkOversketchClassify as it put them out.",
+    stroke,
+    what);
 }
 
 } // namespace
@@ -95,8 +96,8 @@ std::vector<Treatment> TreatmentsOf(vtkPolyData* curves)
       const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
       if (value != 0.0 && value != 1.0 && value != 2.0)
       {
-        throw Error(Failure::BadStroke,
-          "Treatment of stroke " + std::to_string(i) + " is none: 0 fills, 1 is a hole, 2 a tunnel.");
+        throw Error(
+          Failure::BadStroke, "Treatment of {stroke %1} is none: 0 fills, 1 is a hole, 2 a tunnel.", i);
       }
       treatments[i] = static_cast<Treatment>(static_cast<int>(value));
     }

@@ -112,10 +112,11 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       const vtkIdType parts = cache.Splits->GetNumberOfCells();
       if (parts > 0 && !this->SplitsAreTaken)
       {
-        vtkWarningMacro("Strokes leave triangles no room, or triangles leave strokes, "
-                        << parts
-                        << " parts of them: approximate these closer, with "
-                           "vtkOversketchPolyline and the splits on output 2.");
+        Warn(this,
+          { "Strokes leave triangles no room, or triangles leave strokes, %1 parts of them: approximate "
+            "these "
+            "closer, with vtkOversketchPolyline and the splits on output 2.",
+            parts });
       }
     });
 }

@@ -57,15 +57,14 @@ private:
 
 [[noreturn]] void badMesh(const std::string& what, vtkIdType number, const std::string& why)
 {
-  throw Error(Failure::BadMesh,
-    what + " " + std::to_string(number) + " " + why +
-      "; take the mesh from vtkOversketchCoarseMesh or after.");
+  throw Error(
+    Failure::BadMesh, "%1 %2 %3; take the mesh from vtkOversketchCoarseMesh or after.", what, number, why);
 }
 
 [[noreturn]] void badLine(vtkIdType cell, const std::string& why)
 {
-  throw Error(Failure::BadStroke,
-    "Polyline " + std::to_string(cell) + " " + why + "; take the polylines from vtkOversketchPolyline.");
+  throw Error(
+    Failure::BadStroke, "Polyline %1 %2; take the polylines from vtkOversketchPolyline.", cell, why);
 }
 
 void readEdges(vtkPolyData* edges, PlanarMesh& mesh)
@@ -352,9 +351,9 @@ std::vector<StrokeSplit> SplitsOf(vtkPolyData* splits)
         halvings.whole(i) > 64)
     {
       throw Error(Failure::BadStroke,
-        "Split " + std::to_string(i) +
-          " has no finite ParamStart and ParamEnd, or Halvings outside 0 to 64; take the splits from "
-          "vtkOversketchPlanarRefine.");
+        "Split %1 has no finite ParamStart and ParamEnd, or Halvings outside 0 to 64; take the splits from "
+        "vtkOversketchPlanarRefine.",
+        i);
     }
     result.push_back({ stroke.whole(i), start.at(i), end.at(i), halvings.whole(i) });
   }

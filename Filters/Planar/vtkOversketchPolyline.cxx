@@ -72,7 +72,7 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
       if (!fixed && !(distance && distance->GetNumberOfPoints() > 0))
       {
         throw Error(Failure::MissingArray,
-          "There is no distance image, which DeltaMode Adaptive reads: connect that of "
+          "There is no distance image, which {DeltaMode Adaptive} reads: connect that of "
           "vtkOversketchDistance, "
           "or choose Fixed.");
       }
@@ -99,8 +99,9 @@ int vtkOversketchPolyline::RequestData(vtkInformation*,
             if (part.stroke < 0 || part.stroke >= static_cast<int>(classes.size()))
             {
               throw Error(Failure::BadStroke,
-                "The splits name stroke " + std::to_string(part.stroke) + ", but there are " +
-                  std::to_string(classes.size()) + "; take both of one drawing.");
+                "The splits name {stroke %1}, but there are %2; take both of one drawing.",
+                part.stroke,
+                classes.size());
             }
           }
           ApproximationRules rules;

@@ -33,8 +33,8 @@ std::vector<int> numbersOf(std::string text, const char* parameter)
     const std::from_chars_result read = std::from_chars(at, end, number);
     if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ' '))
     {
-      throw Error(Failure::BadStroke,
-        std::string(parameter) + " is \"" + text + "\"; give numbers of strokes, such as \"1 4\".");
+      throw Error(
+        Failure::BadStroke, "{%1} is \"%2\"; give numbers of strokes, such as \"1 4\".", parameter, text);
     }
     numbers.push_back(number);
     at = read.ptr;
@@ -92,21 +92,21 @@ int vtkOversketchTreatment::RequestData(vtkInformation*,
       {
         for (const int name : numbersOf(list, parameter))
         {
-          const std::string who = std::string(parameter) + " names stroke " + std::to_string(name);
+          const Message who("{%1} names {stroke %2}", parameter, name);
           if (name < 0 || name >= names)
           {
-            throw Error(
-              Failure::BadStroke, who + ", but there are " + std::to_string(names) + ", numbered from 0.");
+            throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, names);
           }
           const int stroke = curveOf(name);
           if (stroke < 0 || classification.strokes[stroke].role != Role::ClosedFeature)
           {
             throw Error(Failure::BadStroke,
-              who + ", which is no closed stroke inside another; close it, or name one that is.");
+              "%1, which is no closed stroke inside another; close it, or name one that is.",
+              who);
           }
           if (named[stroke] && treatments[stroke] != treatment)
           {
-            throw Error(Failure::BadStroke, who + ", which Holes names too; name it once.");
+            throw Error(Failure::BadStroke, "%1, which {Holes} names too; name it once.", who);
           }
           treatments[stroke] = treatment;
           named[stroke] = 1;

@@ -49,10 +49,10 @@ std::vector<double> DiametersOf(vtkDataArray* array)
     values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
     if (!std::isfinite(values[i]))
     {
-      std::ostringstream message;
-      message << "Array ShapeDiameter of the mesh is not finite at point " << i
-              << "; compute it with vtkOversketchShapeDiameter.";
-      throw Error(Failure::BadMesh, message.str());
+      throw Error(Failure::BadMesh,
+        "Array ShapeDiameter of the mesh is not finite at point %1; compute it with "
+        "vtkOversketchShapeDiameter.",
+        i);
     }
   }
   return values;
@@ -78,7 +78,7 @@ double SectionLengthOf(vtkPolyData* handles)
       "The handles have no field array SectionLength of one value, the length of the matched section: make "
       "them with vtkOversketchTargets, or turn LimitRunaway, ReachEnds, ConfineToSection and IgnoreNoise off "
       "and "
-      "leave Reach at 0.");
+      "leave {Reach} at 0.");
   }
   return length;
 }
@@ -309,7 +309,7 @@ MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* se
 {
   MixtureOptions options;
   options.components = components;
-  std::string warning;
+  Message warning;
   if (const auto device = Device::choose(self->KernelBackend(), warning))
   {
     try
@@ -320,12 +320,12 @@ MixtureFit vtkOversketchMixtureRegion::Cache::Fit(vtkOversketchMixtureRegion* se
     }
     catch (const Error& error)
     {
-      warning = std::string(error.what()) + " The host computes instead.";
+      warning = { "%1 The host computes instead.", error.message() };
     }
   }
   if (!warning.empty())
   {
-    vtkWarningWithObjectMacro(self, << warning);
+    Warn(self, warning);
   }
   self->UsedBackend(Backend::Host);
   return fitMixture(samples, options, ContextOf(self, 0.0, 0.4));

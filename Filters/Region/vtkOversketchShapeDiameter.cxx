@@ -79,7 +79,7 @@ int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
           &cache.Known);
         if (!result.warning.empty())
         {
-          vtkWarningMacro(<< result.warning);
+          Warn(this, result.warning);
         }
         this->UsedBackend(result.used);
         this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);

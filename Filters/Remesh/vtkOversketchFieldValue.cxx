@@ -22,8 +22,10 @@ double FieldValue(vtkDataObject* object,
   if (!(value > 0.0) || !std::isfinite(value))
   {
     throw Error(Failure::MissingArray,
-      std::string("Field array ") + name + " of the " + holder + " must hold one positive value: " + remedy +
-        ".");
+      "Field array %1 of the %2 must hold one positive value: %3.",
+      name,
+      holder,
+      remedy);
   }
   return value;
 }

@@ -65,8 +65,7 @@ public:
     const vtkIdType points = curves->GetNumberOfPoints(), cells = curves->GetNumberOfCells();
     if (curves->GetNumberOfLines() == 0 || curves->GetNumberOfLines() != cells)
     {
-      throw Error(Failure::BadStroke,
-        std::string("The curves must be polylines and no other cells: ") + curveRemedy + ".");
+      throw Error(Failure::BadStroke, "The curves must be polylines and no other cells: %1.", curveRemedy);
     }
     this->Parameters = RequireArray(curves->GetPointData(), "CurveT", 1, points, "curves", curveRemedy);
     this->Triangles = RequireArray(curves->GetPointData(), "MeshCell", 1, points, "curves", curveRemedy);
@@ -95,8 +94,7 @@ public:
       if (!curve.closed && curve.runs.size() > 1)
       {
         throw Error(Failure::BadStroke,
-          "Curve " + std::to_string(curve.number) +
-            " cannot be used: it is open, and in several runs. Give one of them.");
+          Message::unusable("Curve", curve.number, "it is open, and in several runs. Give one of them."));
       }
     }
     return result;
@@ -118,17 +116,17 @@ private:
       if (!std::isfinite(parameter) || (i > 0 && !(parameter > run.parameters.back())))
       {
         throw Error(Failure::BadStroke,
-          "Array CurveT of the curves does not rise along polyline " + std::to_string(cell) + ": " +
-            curveRemedy + ".");
+          "Array CurveT of the curves does not rise along polyline %1: %2.",
+          cell,
+          curveRemedy);
       }
       run.parameters.push_back(parameter);
       run.places.push_back(this->Place(id));
     }
     if (count < 2)
     {
-      throw Error(Failure::BadStroke,
-        "Polyline " + std::to_string(cell) + " of the curves has fewer than two points: " + curveRemedy +
-          ".");
+      throw Error(
+        Failure::BadStroke, "Polyline %1 of the curves has fewer than two points: %2.", cell, curveRemedy);
     }
     return run;
   }
@@ -142,9 +140,10 @@ private:
         this->Surface.triangles[static_cast<std::size_t>(triangle)] != binding.vertices)
     {
       throw Error(Failure::BadMesh,
-        "Point " + std::to_string(id) + " of the curves lies in triangle " +
-          std::to_string(static_cast<long long>(triangle)) +
-          ", which the mesh does not have like that: project the curves on this mesh.");
+        "Point %1 of the curves lies in triangle %2, which the mesh does not have like that: project the "
+        "curves on this mesh.",
+        id,
+        static_cast<long long>(triangle));
     }
     return { static_cast<int>(triangle), binding.weights };
   }
@@ -181,8 +180,9 @@ std::vector<MeshCurve> readStored(vtkPolyData* stored, int vertexCount)
     if (!rises)
     {
       throw Error(Failure::BadStroke,
-        "Stored curve " + std::to_string(curves.size()) +
-          " cannot be used: array CurveT does not rise along it: " + chainRemedy + ".");
+        "Stored curve %1 cannot be used: array CurveT does not rise along it: %2.",
+        curves.size(),
+        chainRemedy);
     }
     curves.push_back(std::move(curve));
   }

@@ -52,8 +52,7 @@ std::vector<RunOnMesh> readRuns(vtkPolyData* curves, int triangles, const std::s
       const double triangle = id >= 0 && id < curves->GetNumberOfPoints() ? cells->GetComponent(id, 0) : -1.0;
       if (!(triangle >= 0.0 && triangle < triangles))
       {
-        throw Error(Failure::BadStroke,
-          "Polyline " + std::to_string(cell) + " of the " + holder + " leaves the mesh: " + remedy + ".");
+        throw Error(Failure::BadStroke, "Polyline %1 of the %2 leaves the mesh: %3.", cell, holder, remedy);
       }
       run.points.emplace_back(curves->GetPoint(id));
       run.triangles.push_back(static_cast<int>(triangle));

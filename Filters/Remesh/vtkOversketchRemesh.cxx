@@ -122,7 +122,7 @@ vtkOversketchRemesh::Cache::Question vtkOversketchRemesh::Cache::Read(vtkOverske
       1,
       count,
       "mesh",
-      "run vtkOversketchShapeDiameter first, or turn LimitByDiameter off");
+      "run vtkOversketchShapeDiameter first, or {LimitByDiameter off}");
   }
   if (input->GetCellData()->GetArray("Chart"))
   {

@@ -56,8 +56,10 @@ std::vector<double> sizesOf(vtkPolyData* mesh)
       if (!(sizes.back() > 0.0 && std::isfinite(sizes.back())))
       {
         throw Error(Failure::BadMesh,
-          "Vertex " + std::to_string(i) + " of the mesh has EdgeLength " + std::to_string(sizes.back()) +
-            ", which is no positive length: remove the array, and MeanEdge counts.");
+          "Vertex %1 of the mesh has EdgeLength %2, which is no positive length: remove the array, and "
+          "MeanEdge counts.",
+          i,
+          sizes.back());
       }
     }
   }
@@ -69,7 +71,7 @@ std::shared_ptr<const MeshData> restOf(vtkPolyData* rest, const Mesh& moved)
   if (!rest || rest->GetNumberOfPoints() == 0)
   {
     throw Error(Failure::BadMesh,
-      "Rule Edit needs the mesh before the edit: connect it to input Rest, or set the rule to Curvature.");
+      "{Rule Edit} needs the mesh before the edit: connect it to input Rest, or set the rule to Curvature.");
   }
   std::shared_ptr<const MeshData> data = SharedMesh(rest);
   if (data->Surface().triangles != moved.triangles || data->Surface().points.size() != moved.points.size())

@@ -51,7 +51,7 @@ void requireSmoothing(double value, const char* name)
 {
   if (!(value >= 0.0 && value <= 10.0))
   {
-    throw Error(Failure::BadStroke, std::string(name) + " is not within 0 and 10; set another.");
+    throw Error(Failure::BadStroke, "{%1} is not within 0 and 10; set another.", name);
   }
 }
 

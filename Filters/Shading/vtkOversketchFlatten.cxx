@@ -100,8 +100,8 @@ void layOnDisc(vtkPolyData* curve,
     if (number < 0)
     {
       throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) +
-          " of the reference curve lies outside the boundary; draw the boundary round all of it.");
+        "Point %1 of {the reference curve} lies outside {the boundary}; draw {the boundary} round all of it.",
+        i);
     }
     points->SetPoint(samples->GetId(i), disc->GetPoint(number));
   }

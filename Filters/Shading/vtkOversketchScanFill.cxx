@@ -48,11 +48,7 @@ Polyline onDisc(vtkPolyData* strokes, const DrawnLine& line, std::size_t stroke)
   }
   Polyline samples = line.Samples;
   const auto refuse = [&](std::size_t sample, const std::string& what)
-  {
-    throw Error(Failure::BadStroke,
-      "Sample " + std::to_string(sample) + " of area " + std::to_string(stroke) + " " + what +
-        "; draw the area again.");
-  };
+  { throw Error(Failure::BadStroke, "Sample %1 of area %2 %3; draw the area again.", sample, stroke, what); };
   if (hasView)
   {
     const View view = ViewOf(StrokeAlone(strokes, static_cast<vtkIdType>(stroke)));
@@ -186,8 +182,7 @@ int vtkOversketchScanFill::RequestData(vtkInformation*,
         const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
         if (lines.size() > mostAreas)
         {
-          throw Error(Failure::BadStroke,
-            "There are " + std::to_string(lines.size()) + " areas; there can be 64, remove some.");
+          throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
         }
         std::vector<Polyline> outlines;
         for (std::size_t i = 0; i < lines.size(); ++i)

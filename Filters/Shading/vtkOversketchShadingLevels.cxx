@@ -227,7 +227,7 @@ void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtk
 {
   if (!(this->Feather >= 0.0 && this->Feather <= 1.0))
   {
-    throw Error(Failure::BadStroke, "Feather is not within 0 and 1; set another.");
+    throw Error(Failure::BadStroke, "{Feather} is not within 0 and 1; set another.");
   }
   const double feather = this->AsPublished ? 0.0 : this->Feather;
   const bool linear = this->AsPublished || this->Falloff == LINEAR;
@@ -278,9 +278,8 @@ void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtk
   {
     if (each.area < 0 || each.area >= count)
     {
-      throw Error(Failure::BadStroke,
-        "Layers names area " + std::to_string(each.area) + ", but there are " + std::to_string(count) +
-          ", numbered from 0.");
+      throw Error(
+        Failure::BadStroke, "{Layers} names area %1, but there are %2, numbered from 0.", each.area, count);
     }
     if (cache.Areas.count(each.area) == 0)
     {

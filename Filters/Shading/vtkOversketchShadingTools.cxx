@@ -119,8 +119,8 @@ std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<char>& la
       if (!coordinates[v].allFinite())
       {
         throw Error(Failure::BadMesh,
-          "DiscCoords of vertex " + std::to_string(v) +
-            " are not finite; take the mesh from vtkOversketchFlatten anew.");
+          "DiscCoords of vertex %1 are not finite; take the mesh from vtkOversketchFlatten anew.",
+          v);
       }
     }
   }
@@ -140,7 +140,8 @@ std::pair<int, int> SidesOf(vtkImageData* image, const std::string& which)
   if (image->GetNumberOfPoints() < 1 || sides[2] != 1)
   {
     throw Error(Failure::BadStroke,
-      "The " + which + " image has no samples or several slices; give one of one slice in x and y.");
+      "The %1 image has no samples or several slices; give one of one slice in x and y.",
+      which);
   }
   return { sides[0], sides[1] };
 }

@@ -73,8 +73,9 @@ private:
       {
         const auto columns = static_cast<std::size_t>(this->Columns);
         throw Error(Failure::BadStroke,
-          "Sample (" + std::to_string(texel % columns) + ", " + std::to_string(texel / columns) +
-            ") of the weight image is not within 0, black, and 1, white; scale its numbers.");
+          "Sample (%1, %2) of the weight image is not within 0, black, and 1, white; scale its numbers.",
+          texel % columns,
+          texel / columns);
       }
     }
     // A grey's own value whichever way it is stored.

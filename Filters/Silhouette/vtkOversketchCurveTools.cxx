@@ -84,18 +84,15 @@ CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& hol
   const std::string remedy =
     "take the output of vtkOversketchSilhouette, or of a filter after it, for this mesh";
   const auto refuse = [&](const char* what, vtkIdType index, const char* problem)
-  {
-    std::ostringstream message;
-    message << what << ' ' << index << " of the " << holder << ' ' << problem;
-    throw Error(Failure::BadMesh, message.str());
-  };
+  { throw Error(Failure::BadMesh, "%1 %2 of the %3 %4", what, index, holder, problem); };
   const vtkIdType pointCount = input->GetNumberOfPoints();
   const vtkIdType cellCount = input->GetNumberOfLines();
   CurveSet set;
   if (input->GetNumberOfCells() != cellCount)
   {
     throw Error(Failure::BadMesh,
-      "The " + holder + " hold cells that are not polylines; connect the output of a silhouette filter.");
+      "The %1 hold cells that are not polylines; connect the output of a silhouette filter.",
+      holder);
   }
   if (cellCount == 0)
   {

@@ -48,8 +48,8 @@ Polyline AlongCell(vtkDataArray* array, vtkPolyData* curves, vtkIdType cell, std
     if (!values[i].allFinite())
     {
       throw Error(Failure::BadMesh,
-        std::string("Array ") + array->GetName() + " of the curves holds a value that is not finite; run " +
-          "vtkOversketchOutline again.");
+        "Array %1 of the curves holds a value that is not finite; run vtkOversketchOutline again.",
+        array->GetName());
     }
   }
   return values;

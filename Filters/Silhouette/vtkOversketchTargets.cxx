@@ -129,7 +129,7 @@ int vtkOversketchTargets::RequestData(vtkInformation*,
         if (handles.size() < 2)
         {
           throw Error(Failure::NoMatch,
-            "Fewer than two control points of the section lie on one layer of the mesh; turn SingleLayer off "
+            "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} "
             "or draw "
             "along another outline.");
         }

@@ -76,7 +76,7 @@ int vtkOversketchVisibility::RequestData(vtkInformation*,
             findVisible(read.Curves, data.Surface(), data.Normals(), view, options, ContextOf(this));
           if (!found.warning.empty())
           {
-            vtkWarningMacro(<< found.warning);
+            Warn(this, found.warning);
           }
           this->UsedBackend(found.used);
           std::vector<Curve> parts;

@@ -139,7 +139,7 @@ int vtkOversketchStellarBase::RequestData(vtkInformation*,
           {
             throw;
           }
-          vtkWarningMacro(<< "A new base is made, since this is no 4-8 mesh any more: " << error.what());
+          Warn(this, { "A new base is made, since this is no 4-8 mesh any more: %1", error.message() });
         }
       }
       if (cache.Passed)

@@ -36,8 +36,8 @@ FeatureCurve CurveOf(vtkPolyData* curves,
     const vtkIdType id = ids->GetId(i);
     if (id < 0 || id >= curves->GetNumberOfPoints())
     {
-      throw Error(Failure::BadStroke,
-        "A feature curve names point " + std::to_string(id) + ", which is not there; draw the stroke again.");
+      throw Error(
+        Failure::BadStroke, "A feature curve names point %1, which is not there; draw the stroke again.", id);
     }
     Vector3 x;
     curves->GetPoint(id, x.data());
@@ -102,8 +102,9 @@ FeatureCurves CurvesOf(vtkPolyData* curves, double height)
     if (ids && ids->GetComponent(i, 0) != static_cast<double>(i))
     {
       throw Error(Failure::BadStroke,
-        "CurveId of curve " + std::to_string(i) +
-          " is another number; a filter reordered the curves. Take them from vtkOversketchSurfaceStroke.");
+        "CurveId of curve %1 is another number; a filter reordered the curves. Take them from "
+        "vtkOversketchSurfaceStroke.",
+        i);
     }
     curves->GetLines()->GetCellAtId(i, points);
     FeatureCurve curve = CurveOf(curves, points, normals, pressure, room);

@@ -54,8 +54,7 @@ HeightImage HeightsOf(vtkImageData* image)
   }
   if (size[2] != 1)
   {
-    throw Error(Failure::BadMesh,
-      "The height image has " + std::to_string(size[2]) + " slices; one is needed, across z.");
+    throw Error(Failure::BadMesh, "The height image has %1 slices; one is needed, across z.", size[2]);
   }
   HeightImage result;
   result.width = size[0];
@@ -162,8 +161,9 @@ Source TerrainSource(vtkPolyData* source)
     if (!(v[i] >= 1.0 && v[i] <= 1e9 && v[i] == std::floor(v[i])))
     {
       throw Error(Failure::BadMesh,
-        "Field array TerrainRules of the source has no count at " + std::to_string(i) +
-          "; pass output 1 of vtkOversketchTerrain as it is.");
+        "Field array TerrainRules of the source has no count at %1; pass output 1 of vtkOversketchTerrain as "
+        "it is.",
+        i);
     }
   }
   HeightImage image;
@@ -196,8 +196,10 @@ vtkDataArray* RecordArray(vtkPolyData* source, const char* name, int components)
   if (!numbers || numbers->GetNumberOfComponents() != components)
   {
     throw Error(Failure::MissingArray,
-      std::string("The source ") + (array ? "has another shape of" : "has no") + " field array " + name +
-        "; pass output 1 of vtkOversketchStellarBase or vtkOversketchTerrain as it is.");
+      "The source %1 field array %2; pass output 1 of vtkOversketchStellarBase or vtkOversketchTerrain as it "
+      "is.",
+      (array ? "has another shape of" : "has no"),
+      name);
   }
   return numbers;
 }

@@ -86,10 +86,12 @@ std::vector<Number> WholeOf(vtkDataArray* array)
       {
         if (!Fits(values[i], result[static_cast<std::size_t>(i)]))
         {
-          std::ostringstream message;
-          message << "Value " << i << " of array " << array->GetName() << ", " << array->GetVariantValue(i)
-                  << ", is no whole number of its kind: " << remedy << ".";
-          throw Error(Failure::BadMesh, message.str());
+          throw Error(Failure::BadMesh,
+            "Value %1 of array %2, %3, is no whole number of its kind: %4.",
+            i,
+            array->GetName(),
+            array->GetVariantValue(i),
+            remedy);
         }
       }
     });
@@ -155,8 +157,9 @@ Leaves LeavesOf(vtkPolyData* mesh)
   if (*version != 1)
   {
     throw Error(Failure::BadMesh,
-      "StellarVersion of the mesh is " + std::to_string(*version) +
-        ", which this program cannot read; use a newer one, or drop the Stellar arrays.");
+      "StellarVersion of the mesh is %1, which this program cannot read; use a newer one, or drop the "
+      "Stellar arrays.",
+      *version);
   }
   Mesh shape = MeshOf(mesh);
   leaves.points = std::move(shape.points);
@@ -472,7 +475,7 @@ std::optional<std::uint64_t> WholeNumber(vtkFieldData* data, const char* name)
   }
   if (array->GetNumberOfValues() != 1)
   {
-    throw Error(Failure::MissingArray, std::string("Field array ") + name + " is to hold one whole number.");
+    throw Error(Failure::MissingArray, "Field array %1 is to hold one whole number.", name);
   }
   return WholeOf<std::uint64_t>(array)[0];
 }

@@ -134,7 +134,7 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
         });
       if (!cache.Warning.empty())
       {
-        vtkWarningMacro(<< cache.Warning);
+        Warn(this, cache.Warning);
       }
       vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Source);
       vtkFieldData* fields = vtkPolyData::GetData(outputs, 0)->GetFieldData();

@@ -65,8 +65,6 @@ std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
     strokes->GetLines()->GetCellAtId(cell, ids);
     const vtkIdType size = ids->GetNumberOfIds();
     line.Closed = size > 3 && ids->GetId(0) == ids->GetId(size - 1);
-    std::ostringstream message;
-    message << "Stroke " << cell << " cannot be used: ";
     for (vtkIdType i = 0; i < (line.Closed ? size - 1 : size); ++i)
     {
       const vtkIdType id = ids->GetId(i);
@@ -77,17 +75,21 @@ std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
       }
       if (!p.head<2>().allFinite())
       {
-        message << "sample " << i << " is not finite or does not exist; record the stroke again.";
-        throw Error(Failure::BadStroke, message.str());
+        throw Error(Failure::BadStroke,
+          Message::unusable(
+            "Stroke", cell, { "sample %1 is not finite or does not exist; record the stroke again.", i }));
       }
       line.Ids.push_back(id);
       line.Samples.push_back(p.head<2>());
     }
     if (static_cast<int>(line.Samples.size()) < least)
     {
-      message << "it has " << line.Samples.size() << (line.Samples.size() == 1 ? " sample" : " samples")
-              << "; at least " << least << (least == 1 ? " is" : " are") << " needed: draw a longer stroke.";
-      throw Error(Failure::BadStroke, message.str());
+      throw Error(Failure::BadStroke,
+        Message::unusable("Stroke",
+          cell,
+          { "its samples are %1; at least %2 are needed: draw a longer stroke.",
+            line.Samples.size(),
+            least }));
     }
   }
   return lines;
@@ -145,8 +147,7 @@ PicturePlace PlaceOf(vtkImageData* picture)
   const int* dimensions = picture->GetDimensions();
   if (dimensions[2] > 1)
   {
-    throw Error(Failure::BadStroke,
-      "The picture has " + std::to_string(dimensions[2]) + " slices; give one slice across z.");
+    throw Error(Failure::BadStroke, "The picture has %1 slices; give one slice across z.", dimensions[2]);
   }
   if (!picture->GetDirectionMatrix()->IsIdentity())
   {

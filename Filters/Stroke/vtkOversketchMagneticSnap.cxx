@@ -79,8 +79,8 @@ EdgeFeatures edgesOf(vtkImageData* picture, const PicturePlace& place, bool colo
     return edgesOf<vtkUnsignedShortArray, std::uint16_t>(scalars, place, colours);
   }
   throw Error(Failure::BadStroke,
-    std::string("The picture's scalars are of type ") + scalars->GetDataTypeAsString() +
-      "; give unsigned numbers of 8 or 16 bits.");
+    "The picture's scalars are of type %1; give unsigned numbers of 8 or 16 bits.",
+    scalars->GetDataTypeAsString());
 }
 
 // The seeds of a stroke, numbers of its samples: the approximation is made on even samples, of which each
@@ -137,8 +137,7 @@ auto OfStroke(int stroke, const Work& work)
   }
   catch (const Error& error)
   {
-    throw Error(
-      error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
+    throw Error(error.failure(), Message::unusable("Stroke", stroke, { "%1.", error.message() }));
   }
 }
 
@@ -193,7 +192,7 @@ struct Search
     question.Radius = this->Radii ? this->Radii->GetComponent(stroke, 0) : usualRadius;
     if (!std::isfinite(question.Radius))
     {
-      throw Error(Failure::BadStroke, "its SnapRadius is not finite; it is px of the picture");
+      throw Error(Failure::BadStroke, "its {SnapRadius} is not finite; it is px of the picture");
     }
     question.Seeds = seedsOf(line, this->Rectangle);
     return question;

@@ -88,7 +88,7 @@ FittedStroke fittedLine(const DrawnLine& line,
   }
   catch (const Error& error)
   {
-    throw Error(error.failure(), "Stroke " + std::to_string(number) + " cannot be used: " + error.what());
+    throw Error(error.failure(), Message::unusable("Stroke", number, error.message()));
   }
 }
 
@@ -185,7 +185,7 @@ int vtkOversketchNurbsFit::RequestData(vtkInformation*,
         if (!mesh || mesh->GetNumberOfPoints() == 0)
         {
           throw Error(Failure::BadMesh,
-            "There is no mesh to fit splines in space on; give it on port 1, or set FitSpace to Picture.");
+            "There is no mesh to fit splines in space on; give it on port 1, or set {FitSpace Picture}.");
         }
         RequirePolygonsOnly(mesh);
         surface = &this->Internals->Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));

@@ -72,9 +72,7 @@ std::vector<SurfaceCurve> projectLine(const SurfaceRays& surface,
   if (runs.empty())
   {
     throw Error(Failure::BadStroke,
-      "Stroke " + std::to_string(stroke) +
-        " cannot be used: nothing of it lies on the mesh; draw it over the "
-        "model.");
+      Message::unusable("Stroke", stroke, "nothing of it lies on the mesh; draw it over the model."));
   }
   return runs;
 }
@@ -182,8 +180,10 @@ int vtkOversketchProjectCurve::RequestData(vtkInformation*,
                 stroke });
             if (runs.size() > 1)
             {
-              vtkWarningMacro(<< "Stroke " << stroke << " lies on the mesh in " << runs.size()
-                              << " parts; the longest one is taken.");
+              Warn(this,
+                { "{Stroke %1} lies on the mesh in %2 parts; the longest one is taken.",
+                  stroke,
+                  runs.size() });
             }
           }
           WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);

@@ -100,8 +100,7 @@ struct Redrawn
     }
     catch (const Error& error)
     {
-      throw Error(
-        error.failure(), "Correction " + std::to_string(number) + " cannot be used: " + error.what() + ".");
+      throw Error(error.failure(), Message::unusable("Correction", number, { "%1.", error.message() }));
     }
     if (correction.kind == Correction::New)
     {

@@ -38,8 +38,7 @@ std::vector<Blend> placesOf(const DrawnLine& line, int stroke, double spacing)
     }
     catch (const Error& error)
     {
-      throw Error(
-        error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what() + ".");
+      throw Error(error.failure(), Message::unusable("Stroke", stroke, { "%1.", error.message() }));
     }
   }
   std::vector<Blend> all(line.Samples.size());

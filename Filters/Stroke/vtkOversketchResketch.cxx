@@ -38,9 +38,8 @@ DrawnLine oneLine(vtkPolyData* curve, const char* what)
   std::vector<DrawnLine> lines = ReadStrokes(curve);
   if (lines.size() != 1)
   {
-    throw Error(Failure::BadStroke,
-      "There are " + std::to_string(lines.size()) + " polylines where the " + what +
-        " is one: give that one.");
+    throw Error(
+      Failure::BadStroke, "There are %1 polylines where the %2 is one: give that one.", lines.size(), what);
   }
   return std::move(lines.front());
 }
@@ -63,8 +62,9 @@ void seeInPicture(vtkPolyData* curve, const View& view, DrawnLine& line)
     if (!world.allFinite() || !view.inFront(world))
     {
       throw Error(Failure::BadStroke,
-        "The curve's sample " + std::to_string(i) +
-          " is not in front of the eye in the stroke's view: look at the whole curve and draw again.");
+        "The curve's sample %1 is not in front of the eye in the stroke's view: look at the whole curve and "
+        "draw again.",
+        i);
     }
     line.Samples[i] = view.toDisplay(world).head<2>();
   }
@@ -230,7 +230,7 @@ int vtkOversketchResketch::RequestData(vtkInformation*,
                                         : resketch(old.Samples, fresh.Samples, rules);
           if (drawn.points == old.Samples)
           {
-            vtkWarningMacro("The stroke replaces nothing of the curve: draw it along a part of the curve.");
+            Warn(this, "The stroke replaces nothing of the curve: draw it along a part of the curve.");
           }
           dropRepeated(drawn, old.Closed);
           ContextOf(this).checkpoint(0.9);

@@ -62,11 +62,10 @@ std::vector<SilhouetteChain> readSilhouette(vtkPolyData* curves)
       }
       if (!point.allFinite() || !normal.allFinite())
       {
-        std::ostringstream message;
-        message << "Cell " << cell
-                << " of the silhouette names a point that does not exist, or is not finite; " << remedy
-                << '.';
-        throw Error(Failure::BadMesh, message.str());
+        throw Error(Failure::BadMesh,
+          "Cell %1 of the silhouette names a point that does not exist, or is not finite; %2.",
+          cell,
+          remedy);
       }
       chain.points.push_back(point);
       chain.normals.push_back(normal.normalized());
@@ -156,7 +155,7 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
       RequirePolygonsOnly(mesh); // the key does not see other cells
       if (!std::isfinite(this->MaximumStep))
       {
-        throw Error(Failure::BadStroke, "MaximumStep is not finite; set a length, 0 or -1.");
+        throw Error(Failure::BadStroke, "{MaximumStep} is not finite; set a length, 0 or -1.");
       }
       Cache& cache = *this->Internals;
       const StepKey key({ StrokesKey(strokes),
@@ -174,8 +173,8 @@ int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
           if (lines.size() != 1)
           {
             throw Error(Failure::BadStroke,
-              "The stroke input holds " + std::to_string(lines.size()) +
-                " polylines; a new silhouette is exactly one stroke.");
+              "The stroke input holds %1 polylines; a new silhouette is exactly one stroke.",
+              lines.size());
           }
           RefuseEndless(lines);
           const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));

@@ -82,8 +82,7 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
         }
         catch (const Error& error)
         {
-          throw Error(
-            error.failure(), "Stroke " + std::to_string(stroke) + " cannot be used: " + error.what());
+          throw Error(error.failure(), Message::unusable("Stroke", stroke, error.message()));
         }
         lines->InsertNextCell(static_cast<int>(places.size()));
         for (const Blend& place : places)

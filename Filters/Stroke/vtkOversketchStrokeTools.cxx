@@ -173,10 +173,10 @@ void RefuseEndless(const std::vector<DrawnLine>& strokes)
     const double length = arcLengths(strokes[i].Samples, strokes[i].Closed).back();
     if (!(length <= longestStroke))
     {
-      std::ostringstream message;
-      message << "Stroke " << i << " cannot be used: it is " << length << " px long; at most "
-              << longestStroke << " px are taken: record the stroke again.";
-      throw Error(Failure::BadStroke, message.str());
+      throw Error(Failure::BadStroke,
+        Message::unusable("Stroke",
+          static_cast<long long>(i),
+          { "it is %1 px long; at most %2 px are taken: record the stroke again.", length, longestStroke }));
     }
   }
 }
@@ -202,8 +202,8 @@ StrokeOnCanvas OntoCanvas(vtkPolyData* strokes,
   if (points.empty())
   {
     throw Error(Failure::BadStroke,
-      std::string(what) + " " + std::to_string(stroke) +
-        " cannot be used: its view shows the plane z = 0 at none of its samples; draw it over the canvas.");
+      Message::unusable(
+        what, stroke, "its view shows the plane z = 0 at none of its samples; draw it over the canvas."));
   }
   vtkDataArray* said = strokes->GetCellData()->GetArray("Closed");
   const double value =

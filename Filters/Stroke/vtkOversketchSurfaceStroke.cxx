@@ -78,7 +78,7 @@ int vtkOversketchSurfaceStroke::RequestData(vtkInformation*,
       RequirePolygonsOnly(mesh); // the key does not see other cells
       if (!std::isfinite(this->Tolerance))
       {
-        throw Error(Failure::BadStroke, "Tolerance is not finite; set a length, 0 or -1.");
+        throw Error(Failure::BadStroke, "{Tolerance} is not finite; set a length, 0 or -1.");
       }
       Cache& cache = *this->Internals;
       cache.Kept.Provide(
@@ -106,8 +106,8 @@ int vtkOversketchSurfaceStroke::RequestData(vtkInformation*,
             if (pieces.empty())
             {
               throw Error(Failure::BadStroke,
-                "Stroke " + std::to_string(stroke) +
-                  " cannot be used: no two samples in succession lie on the mesh; draw it over the model.");
+                Message::unusable(
+                  "Stroke", stroke, "no two samples in succession lie on the mesh; draw it over the model."));
             }
             for (const SurfaceCurve& piece : pieces)
             {

@@ -101,9 +101,9 @@ int vtkOversketchViewStroke::RequestData(vtkInformation*,
       if (input->GetNumberOfLines() == 0 || input->GetNumberOfCells() != input->GetNumberOfLines())
       {
         throw Error(Failure::BadStroke,
-          "The input holds " + std::to_string(input->GetNumberOfLines()) + " polylines and " +
-            std::to_string(input->GetNumberOfCells() - input->GetNumberOfLines()) +
-            " other cells; give polylines alone.");
+          "The input holds %1 polylines and %2 other cells; give polylines alone.",
+          input->GetNumberOfLines(),
+          input->GetNumberOfCells() - input->GetNumberOfLines());
       }
       const int width = this->ViewSize[0];
       const int height = this->ViewSize[1];
@@ -131,8 +131,9 @@ int vtkOversketchViewStroke::RequestData(vtkInformation*,
           if (!world.allFinite() || !view.inFront(world))
           {
             throw Error(Failure::BadStroke,
-              "Point " + std::to_string(ids->GetId(i)) +
-                " of the polyline is not finite, or not before the camera; draw it where the view shows it.");
+              "Point %1 of the polyline is not finite, or not before the camera; draw it where the view "
+              "shows it.",
+              ids->GetId(i));
           }
           const Vector3 display = view.toDisplay(world);
           lines->InsertCellPoint(points->InsertNextPoint(display[0], display[1], 0.0));

@@ -76,26 +76,28 @@ struct Given
 void RequireSamePlaces(const std::vector<Leaf>& models, const Given& given)
 {
   const std::string name = given.name();
-  std::ostringstream message;
   if (models.size() != given.leaves.size())
   {
-    message << "There are " << models.size() << " models and " << given.leaves.size()
-            << (given.port == 1 ? " strokes" : " leaves on " + name);
+    throw Error(Failure::BadStroke,
+      "There are %1 models and %2 leaves on %3; give one %3, or a collection of the same structure as the "
+      "models'.",
+      models.size(),
+      given.leaves.size(),
+      name);
   }
-  else
+  const auto differ = std::mismatch(models.begin(),
+    models.end(),
+    given.leaves.begin(),
+    [](const Leaf& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
+  if (differ.first != models.end())
   {
-    const auto differ = std::mismatch(models.begin(),
-      models.end(),
-      given.leaves.begin(),
-      [](const Leaf& a, const Leaf& b) { return a.flatIndex == b.flatIndex; });
-    if (differ.first == models.end())
-    {
-      return;
-    }
-    message << "Leaf " << differ.first->flatIndex << " of the models has no " << name << " at its place";
+    throw Error(Failure::BadStroke,
+      "Leaf %1 of the models has no %2 at its place; give one %2, or a collection of the same structure as "
+      "the "
+      "models'.",
+      differ.first->flatIndex,
+      name);
   }
-  message << "; give one " << name << ", or a collection of the same structure as the models'.";
-  throw Error(Failure::BadStroke, message.str());
 }
 
 bool Needs(vtkAlgorithm* filter, int port)
@@ -155,7 +157,7 @@ public:
       vtkDataObject* data = one.of(model);
       if (!data && Needs(this->Filter, one.port))
       {
-        throw Error(Failure::BadStroke, "There is no " + one.name() + " for it.");
+        throw Error(Failure::BadStroke, "There is no %1 for it.", one.name());
       }
       this->Filter->SetInputDataObject(one.port, data);
     }
@@ -188,8 +190,7 @@ Refusals DriveAll(vtkAlgorithm* filter,
   std::string name;
   StepRunner::Listener listener;
   listener.progress = [&](double share) { self->UpdateProgress((done + share) / held); };
-  listener.warning = [&](const std::string& message)
-  { vtkWarningWithObjectMacro(self, << name << ": " << message); };
+  listener.warning = [&](const Message& message) { Warn(self, { "%1: %2", name, message }); };
   listener.cancelled = [self] { return self->GetAbortExecute() != 0; };
   StepRunner runner(filter, listener);
   Inputs inputs(filter, models, given);

@@ -138,20 +138,33 @@ void requireTaken(vtkPolyData* result)
   const double reach = ReachOf(result);
   if (!(reach <= LargestCoordinate))
   {
-    std::ostringstream message;
-    message << "The result reaches " << reach << ", and no step takes coordinates beyond "
-            << LargestCoordinate << "; ask for less, or scale what it is made of.";
-    throw Error(Failure::BadMesh, message.str());
+    throw Error(Failure::BadMesh,
+      "The result reaches %1, and no step takes coordinates beyond %2; ask for less, or scale what it is "
+      "made of.",
+      reach,
+      LargestCoordinate);
   }
 }
 
 } // namespace
+
+void vtkOversketchSystem::SetRemark(const Message& remark)
+{
+  this->Remark = remark;
+  this->RemarkText = remark.text();
+  if (!remark.empty())
+  {
+    Warn(this, remark);
+  }
+}
 
 int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
 {
   this->Done = 0.0;
   this->Passes = 1;
   this->Warnings.clear();
+  this->Remark = {};
+  this->RemarkText.clear();
   for (Stage& stage : this->Stages)
   {
     stage.Seconds = 0.0;
@@ -197,11 +210,11 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
   const double part = stage->Share / static_cast<double>(this->Passes);
   // A stage that runs again takes no share of its own.
   listener.progress = [&](double share) { this->UpdateProgress(std::min(1.0, this->Done + share * part)); };
-  listener.warning = [this](const std::string& message)
+  listener.warning = [this](const Message& message)
   {
     if (this->Warnings.insert(message).second) // several steps may say the same
     {
-      vtkWarningMacro(<< message);
+      Warn(this, message);
     }
   };
   listener.cancelled = [this] { return this->GetAbortExecute() != 0; };
@@ -235,4 +248,5 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
 void vtkOversketchSystem::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Remark: " << this->RemarkText << "\n";
 }

@@ -21,6 +21,8 @@
 #include "OversketchFiltersSystemsModule.h" // For export macro
 #include "vtkOversketchBackendFilter.h"
 
+#include "Mesh/message.h" // for Remark
+
 #include <functional> // for RunSystem
 #include <set>        // for Warnings
 #include <string>     // for Stage
@@ -68,8 +70,10 @@ public:
   /**
    * What is to be said of the last result because it is not as drawn, in words and figures; empty where there
    * is nothing to say and after a run that failed. A warning said the same during the run.
+   * RemarkMessage has it as data.
    */
-  virtual const char* GetRemark() { return ""; }
+  const char* GetRemark() { return this->RemarkText.c_str(); }
+  const oversketch::Message& RemarkMessage() const { return this->Remark; }
 
   /**
    * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
@@ -136,6 +140,8 @@ protected:
 
   // The body of a RequestData: times and progress begin anew; see oversketch::RunFilter.
   int RunSystem(const std::function<void()>& body);
+  // Says of what the run makes that it is not as drawn, and tells it as a warning; an empty one says nothing.
+  void SetRemark(const oversketch::Message& remark);
   // The same outside a run: without an error event. Returns whether body returned true; where it threw, the
   // error code tells why.
   bool Try(const std::function<bool()>& body);
@@ -167,8 +173,10 @@ private:
   const Stage* Running = nullptr;
   double Done = 0.0;
   std::size_t Passes = 1;
-  bool Timed = false;             // in a run, not while something is prepared
-  std::set<std::string> Warnings; // of this run
+  bool Timed = false;                     // in a run, not while something is prepared
+  std::set<oversketch::Message> Warnings; // of this run
+  oversketch::Message Remark;
+  std::string RemarkText;
 };
 
 #endif

@@ -165,8 +165,9 @@ Terrain::Terrain(HeightImage image, const TerrainRules& rules)
       heights.samples.size() != static_cast<std::size_t>(heights.width) * heights.height)
   {
     throw Error(Failure::BadMesh,
-      "The height image has " + std::to_string(heights.width) + " x " + std::to_string(heights.height) +
-        " samples; at least 2 x 2 are needed: take a larger image.");
+      "The height image has %1 x %2 samples; at least 2 x 2 are needed: take a larger image.",
+      heights.width,
+      heights.height);
   }
   if (!(this->Quad.minCoeff() >= 0.0) || !this->Quad.allFinite() || !std::isfinite(this->Scale) ||
       !std::isfinite(this->Offset) || !(heights.spacing.minCoeff() > 0.0) || !heights.spacing.allFinite() ||
@@ -188,9 +189,8 @@ Terrain::Terrain(HeightImage image, const TerrainRules& rules)
   const long long quads = static_cast<long long>(this->Columns) * this->Rows;
   if (quads > mostQuads)
   {
-    throw Error(Failure::BadMesh,
-      "The terrain would have " + std::to_string(quads) + " quads, more than " + std::to_string(mostQuads) +
-        "; ask for fewer.");
+    throw Error(
+      Failure::BadMesh, "The terrain would have %1 quads, more than %2; ask for fewer.", quads, mostQuads);
   }
   this->Quad[0] = this->Quad[0] > 0.0 ? this->Quad[0] : x / this->Columns;
   this->Quad[1] = this->Quad[1] > 0.0 ? this->Quad[1] : y / this->Rows;

@@ -40,10 +40,10 @@ CrossSection CrossSection::parse(const std::string& text)
     if (i == 0 ? y != 0.0 : !(y > 0.0 && y <= 1.0))
     {
       throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) + " of the profile " +
-          (i == 0 ? "is not \"0 0\": the surface would be open at its rim"
-                  : "has a y that is not above 0 and at most 1; its height is a parameter of its own") +
-          ".");
+        "Point %1 of the profile %2.",
+        i,
+        (i == 0 ? "is not \"0 0\": the surface would be open at its rim"
+                : "has a y that is not above 0 and at most 1; its height is a parameter of its own"));
     }
   }
   return section;

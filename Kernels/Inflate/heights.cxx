@@ -251,8 +251,8 @@ std::vector<double> heightsOf(const PlanarMesh& mesh,
     if (!(at.minCoeff() >= 0.0 && at[0] <= frame.width - 1 && at[1] <= frame.height - 1))
     {
       throw Error(Failure::BadMesh,
-        "Point " + std::to_string(i) +
-          " of the planar mesh lies outside the distance image; take that of the same drawing.");
+        "Point %1 of the planar mesh lies outside the distance image; take that of the same drawing.",
+        i);
     }
   }
   const MapReader reader(maps);

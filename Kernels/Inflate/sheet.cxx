@@ -11,7 +11,7 @@ namespace oversketch
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& message)
+[[noreturn]] void refuse(const Message& message)
 {
   throw Error(Failure::BadMesh, message);
 }
@@ -30,7 +30,7 @@ std::vector<BorderEdge> borderOf(const std::vector<Corners>& faces, int pointCou
       const int from = faces[f][k], to = faces[f][(k + 1) % count];
       if (from < 0 || from >= pointCount || from == to)
       {
-        refuse("Face " + std::to_string(f) + " has a corner that is no point or is there twice.");
+        refuse({ "Face %1 has a corner that is no point or is there twice.", f });
       }
       edges.push_back({ from, to, static_cast<int>(f) });
     }
@@ -55,8 +55,10 @@ std::vector<BorderEdge> borderOf(const std::vector<Corners>& faces, int pointCou
     }
     else if (next > i + 2 || edges[i + 1].from == edge.from)
     {
-      refuse("The edge between points " + std::to_string(edge.from) + " and " + std::to_string(edge.to) +
-             " has more than two faces, or two that are turned differently; the mesh must be a sheet.");
+      refuse({ "The edge between points %1 and %2 has more than two faces, or two that are turned "
+               "differently; the mesh must be a sheet.",
+        edge.from,
+        edge.to });
     }
   }
   std::sort(
@@ -65,7 +67,7 @@ std::vector<BorderEdge> borderOf(const std::vector<Corners>& faces, int pointCou
   {
     if (border[i].from == border[i - 1].from)
     {
-      refuse("Two borders meet at point " + std::to_string(border[i].from) + "; draw the strokes apart.");
+      refuse({ "Two borders meet at point %1; draw the strokes apart.", border[i].from });
     }
   }
   return border;
@@ -96,18 +98,20 @@ int edgesBetweenBasePoints(const std::vector<BorderEdge>& border, const std::vec
     common = common == 0 ? count : common;
     if (count != common || at < 0)
     {
-      refuse("From point " + std::to_string(edge.from) + " it is " + std::to_string(count) +
-             " edges to the next point of the coarse mesh, elsewhere " + std::to_string(common) +
-             "; IsBaseVertex must mark the corners of the mesh that was refined.");
+      refuse({ "From point %1 it is %2 edges to the next point of the coarse mesh, elsewhere %3; "
+               "IsBaseVertex must mark the corners of the mesh that was refined.",
+        edge.from,
+        count,
+        common });
     }
   }
   for (const BorderEdge& edge : border)
   {
     if (!seen[edge.from])
     {
-      refuse("The border at point " + std::to_string(edge.from) +
-             " has no point of the coarse mesh; IsBaseVertex must mark the corners of the mesh that was "
-             "refined.");
+      refuse({ "The border at point %1 has no point of the coarse mesh; IsBaseVertex must mark the corners "
+               "of the mesh that was refined.",
+        edge.from });
     }
   }
   return common;

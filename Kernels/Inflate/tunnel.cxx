@@ -81,8 +81,8 @@ std::vector<BorderEdge> frontOf(const Solid& solid,
     if (twins[edge.from] < 0 || twins[edge.to] < 0)
     {
       throw Error(Failure::BadMesh,
-        "The tunnel reaches a rim at point " + std::to_string(edge.from) +
-          "; its stroke must stay inside the object.");
+        "The tunnel reaches a rim at point %1; its stroke must stay inside the object.",
+        edge.from);
     }
     front.push_back(edge);
     expected.emplace_back(twins[edge.to], twins[edge.from]);

@@ -54,8 +54,9 @@ CurveFrame frame(const Vector3& origin, const Vector3& along, const Vector3& out
   if (!(along.norm() > 1e-6) || !(across.norm() > 1e-6 * outward.norm()))
   {
     throw Error(Failure::BadStroke,
-      "The curve has no frame at " + std::to_string(t) +
-        " of its length: it turns back on itself or runs along the surface's normal. Draw it smoother.");
+      "The curve has no frame at %1 of its length: it turns back on itself or runs along the surface's "
+      "normal. Draw it smoother.",
+      t);
   }
   const Vector3 normal = across.normalized();
   return { origin, unit, normal.cross(unit), normal };

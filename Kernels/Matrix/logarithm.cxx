@@ -31,12 +31,12 @@ MatrixXd logarithmOf(const MatrixXd& matrix)
   return matrix.log();
 }
 
-[[noreturn]] void refuse(const std::string& why)
+[[noreturn]] void refuse(const Message& why)
 {
   throw Error(Failure::SolveFailed,
-    "The transformation " + why +
-      ": it cannot be applied in part. Give one that turns by less than 180 degrees and scales by more than "
-      "0.");
+    "The transformation %1: it cannot be applied in part. Give one that turns by less than 180 degrees and "
+    "scales by more than 0.",
+    why);
 }
 
 bool isAffine(const Matrix4& matrix)

@@ -253,14 +253,15 @@ std::vector<Vector3> moved(const std::vector<Vector3>& points,
   const auto bad = std::find_if_not(points.begin(), points.end(), finite);
   if (bad != points.end())
   {
-    throw Error(Failure::BadMesh,
-      "Point " + std::to_string(bad - points.begin()) + " is not finite; clean the mesh first.");
+    throw Error(Failure::BadMesh, "Point %1 is not finite; clean the mesh first.", bad - points.begin());
   }
   if (weights.size() != points.size() * logs.size())
   {
     throw Error(Failure::MissingArray,
-      std::to_string(weights.size()) + " weights are given for " + std::to_string(points.size()) +
-        " points and " + std::to_string(logs.size()) + " transformations; give one for each pair.");
+      "%1 weights are given for %2 points and %3 transformations; give one for each pair.",
+      weights.size(),
+      points.size(),
+      logs.size());
   }
   if (logs.empty())
   {
@@ -295,8 +296,9 @@ std::vector<Vector3> moved(const std::vector<Vector3>& points,
   if (!good)
   {
     throw Error(Failure::SolveFailed,
-      "The transformations of point " + std::to_string(firstTooLarge(entries, weights)) +
-        " are too large or not finite; make a smaller edit, or look at their weights.");
+      "The transformations of point %1 are too large or not finite; make a smaller edit, or look at their "
+      "weights.",
+      firstTooLarge(entries, weights));
   }
   return result;
 }

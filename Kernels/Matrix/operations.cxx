@@ -24,7 +24,7 @@ struct NamedOperation : Operation
 
   [[noreturn]] void refuse(const std::string& why) const
   {
-    throw Error(Failure::BadStroke, this->name + ": " + why);
+    throw Error(Failure::BadStroke, "%1: %2", this->name, why);
   }
 };
 

@@ -21,9 +21,7 @@ void check(bool good, const char* what, double value, const char* remedy)
 {
   if (!good)
   {
-    std::ostringstream text;
-    text << "A handle cannot be " << what << ' ' << value << "; " << remedy << '.';
-    throw Error(Failure::BadStroke, text.str());
+    throw Error(Failure::BadStroke, "A handle cannot be %1 %2; %3.", what, value, remedy);
   }
 }
 

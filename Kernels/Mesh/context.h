@@ -3,6 +3,8 @@
 #ifndef oversketch_kernels_mesh_context_h
 #define oversketch_kernels_mesh_context_h
 
+#include "message.h"
+
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -27,19 +29,27 @@ enum class Failure : int
   Torn = 11         // the result is a wreck, and was not asked for all the same
 };
 
-// Thrown by kernels. The message names the array, cell or point and the remedy.
+// Thrown by kernels and filters. The message names the array, cell or point and the remedy.
 class Error : public std::runtime_error
 {
 public:
-  Error(Failure failure, const std::string& message)
-    : std::runtime_error(message)
+  template <typename... Arguments>
+  Error(Failure failure, const char* text, const Arguments&... arguments)
+    : Error(failure, Message(text, arguments...))
+  {
+  }
+  Error(Failure failure, const Message& message)
+    : std::runtime_error(message.text())
     , Fail(failure)
+    , What(message)
   {
   }
   Failure failure() const { return this->Fail; }
+  const Message& message() const { return this->What; }
 
 private:
   Failure Fail;
+  Message What;
 };
 
 // A default-constructed context runs serially and cannot be cancelled.

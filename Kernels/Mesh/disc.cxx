@@ -10,9 +10,9 @@ namespace oversketch
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& what)
+[[noreturn]] void refuse(const Message& what)
 {
-  throw Error(Failure::BadRegion, "The region " + what + "; draw the boundary round a piece without holes.");
+  throw Error(Failure::BadRegion, "The region %1; draw {the boundary} round a piece without holes.", what);
 }
 
 } // namespace

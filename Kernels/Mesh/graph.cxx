@@ -14,8 +14,10 @@ Graph Graph::parse(const std::string& text, const std::string& example)
   const auto refuse = [&](std::size_t point, const std::string& why)
   {
     throw Error(Failure::BadStroke,
-      "Point " + std::to_string(point) + " of the profile " + why +
-        "; write \"x y, x y, ...\" with x rising from 0 to 1, for instance \"" + example + "\".");
+      "Point %1 of the profile %2; write \"x y, x y, ...\" with x rising from 0 to 1, for instance \"%3\".",
+      point,
+      why,
+      example);
   };
   Graph graph;
   std::istringstream points(text);

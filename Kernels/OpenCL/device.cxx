@@ -82,9 +82,9 @@ std::shared_ptr<Device> Device::instance()
   return *device;
 }
 
-std::shared_ptr<Device> Device::choose(Backend wanted, std::string& warning)
+std::shared_ptr<Device> Device::choose(Backend wanted, Message& warning)
 {
-  warning.clear();
+  warning = {};
   if (wanted == Backend::Host)
   {
     return nullptr;

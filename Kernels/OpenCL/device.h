@@ -38,7 +38,7 @@ public:
 
   // The device for the wanted backend; null for Host. Null too where there is no device: then `warning` says
   // so.
-  static std::shared_ptr<Device> choose(Backend wanted, std::string& warning);
+  static std::shared_ptr<Device> choose(Backend wanted, Message& warning);
 
   const DeviceInfo& info() const { return this->Info; }
   const cl::Context& context() const { return this->Context; }

@@ -259,11 +259,15 @@ std::vector<Fault> wrongSides(const Drafts& drafts, const std::vector<StrokeClas
   const auto [a, b] = std::minmax(one, two);
   const PieceList& list = *drafts[fault.first[0]];
   const Vector2 place = list.sample(list.pieces()[fault.first[1]].from);
-  std::ostringstream text;
-  text << "stroke " << a << " comes so near " << (a == b ? "itself" : "stroke " + std::to_string(b))
-       << " near (" << place[0] << ", " << place[1]
-       << ") that no polyline of its samples keeps clear; draw it with more room there";
-  throw Error(Failure::BadStroke, text.str());
+  throw Error(Failure::BadStroke,
+    a == b ? "{stroke %1} comes so near itself near {(%3, %4)} that no polyline of its samples keeps clear; "
+             "draw it with more room there"
+           : "{stroke %1} comes so near {stroke %2} near {(%3, %4)} that no polyline of its samples keeps "
+             "clear; draw it with more room there",
+    a,
+    b,
+    place[0],
+    place[1]);
 }
 
 // Makes the pieces concerned finer until one of them is split.

@@ -183,12 +183,16 @@ private:
         names.push_back(i);
       }
     }
-    std::ostringstream text;
-    text << "stroke " << names.front() << " meets "
-         << (names.size() > 1 ? "stroke " + std::to_string(names[1]) : "itself") << " near ("
-         << this->World[place][0] << ", " << this->World[place][1]
-         << ") so that two parts hang together by one point; let them overlap more, or keep them apart";
-    throw Error(Failure::BadStroke, text.str());
+    throw Error(Failure::BadStroke,
+      names.size() > 1
+        ? "{stroke %1} meets {stroke %2} near {(%3, %4)} so that two parts hang together by one "
+          "point; let them overlap more, or keep them apart"
+        : "{stroke %1} meets itself near {(%3, %4)} so that two parts hang together by one "
+          "point; let them overlap more, or keep them apart",
+      names.front(),
+      names.back(),
+      this->World[place][0],
+      this->World[place][1]);
   }
 
   void findRings(const LineGraph& graph)

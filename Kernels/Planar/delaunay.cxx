@@ -351,22 +351,15 @@ void Triangulation::flip(const EdgeSide& side)
 
 void Triangulation::refuse(const Constraint& constraint, int other, const Vector2& place) const
 {
-  std::ostringstream text;
-  text << "stroke " << constraint.stroke;
-  if (other == constraint.stroke)
-  {
-    text << " meets itself";
-  }
-  else if (other >= 0)
-  {
-    text << " meets stroke " << other;
-  }
-  else
-  {
-    text << " goes through a point of the mesh";
-  }
-  text << " near (" << place[0] << ", " << place[1] << "); draw one of them anew, or with more room there";
-  throw Error(Failure::BadStroke, text.str());
+  const char* text =
+    other == constraint.stroke
+      ? "{stroke %1} meets itself near {(%2, %3)}; draw one of them anew, or with more room there"
+    : other >= 0
+      ? "{stroke %1} meets {stroke %4} near {(%2, %3)}; draw one of them anew, or with more room there"
+      : "{stroke %1} goes through a point of the mesh near {(%2, %3)}; draw one of them anew, or with more "
+        "room "
+        "there";
+  throw Error(Failure::BadStroke, text, constraint.stroke, place[0], place[1], other);
 }
 
 // The edges that a constraint crosses, each from its right to its left.

@@ -12,9 +12,9 @@ namespace oversketch
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& what)
+[[noreturn]] void refuse(const Message& what)
 {
-  throw Error(Failure::BadMesh, what + ": take the mesh as the filters of the drawing's triangles make it");
+  throw Error(Failure::BadMesh, "%1: take the mesh as the filters of the drawing's triangles make it", what);
 }
 
 std::string edgeText(int from, int to)
@@ -68,7 +68,7 @@ std::vector<FaceSide> faceSidesOf(const PlanarMesh& mesh)
       const int across = face.corners[(i + 2) % face.count()];
       if (a < 0 || a >= points || a == b || a == across)
       {
-        refuse("face " + std::to_string(f) + " has a corner that is no point, or one twice");
+        refuse({ "face %1 has a corner that is no point, or one twice", f });
       }
       sides.push_back({ std::min(a, b), std::max(a, b), f, i, a < b });
     }
@@ -94,7 +94,7 @@ void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
     const StrokeEdge& tie = mesh.edges[i];
     if (tie.stroke < 0)
     {
-      refuse(edgeText(tie.from, tie.to) + " is said to lie on stroke " + std::to_string(tie.stroke));
+      refuse({ "%1 is said to lie on stroke %2", edgeText(tie.from, tie.to), tie.stroke });
     }
     const std::pair<int, int> key = std::minmax(tie.from, tie.to);
     const auto edge = std::lower_bound(edges.begin(),
@@ -104,13 +104,14 @@ void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
     const bool found = edge != edges.end() && edge->from == key.first && edge->to == key.second;
     if (!found || edge->stroke >= 0)
     {
-      refuse(edgeText(tie.from, tie.to) + ", of stroke " + std::to_string(tie.stroke) +
-             (found ? ", is there twice" : ", is no face's"));
+      refuse({ "%1, of stroke %2%3",
+        edgeText(tie.from, tie.to),
+        tie.stroke,
+        (found ? ", is there twice" : ", is no face's") });
     }
     if (mesh.points[tie.from].stroke < 0 || mesh.points[tie.to].stroke < 0)
     {
-      refuse(edgeText(tie.from, tie.to) + " lies on stroke " + std::to_string(tie.stroke) +
-             ", an end of it on none");
+      refuse({ "%1 lies on stroke %2, an end of it on none", edgeText(tie.from, tie.to), tie.stroke });
     }
     edge->stroke = i;
   }
@@ -118,7 +119,7 @@ void tieToStrokes(const PlanarMesh& mesh, std::vector<FaceEdge>& edges)
   {
     if (edge.faces[1] < 0 && edge.stroke < 0)
     {
-      refuse(edgeText(edge.from, edge.to) + " is on the border and on no stroke");
+      refuse({ "%1 is on the border and on no stroke", edgeText(edge.from, edge.to) });
     }
   }
 }
@@ -131,7 +132,7 @@ void requireFinite(const PlanarMesh& mesh)
   {
     if (!mesh.points[p].place.allFinite())
     {
-      refuse("point " + std::to_string(p) + " is not finite");
+      refuse({ "point %1 is not finite", p });
     }
   }
 }
@@ -160,12 +161,14 @@ FaceEdges faceEdges(const PlanarMesh& mesh)
     }
     else if (made.edges.back().faces[1] >= 0)
     {
-      refuse(edgeText(side.from, side.to) + " has more than two faces");
+      refuse({ "%1 has more than two faces", edgeText(side.from, side.to) });
     }
     else if (sides[i - 1].forward == side.forward)
     {
-      refuse("faces " + std::to_string(sides[i - 1].face) + " and " + std::to_string(side.face) +
-             " turn different ways at " + edgeText(side.from, side.to));
+      refuse({ "faces %1 and %2 turn different ways at %3",
+        sides[i - 1].face,
+        side.face,
+        edgeText(side.from, side.to) });
     }
     else
     {

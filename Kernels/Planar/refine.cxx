@@ -28,8 +28,7 @@ void checkOptions(const PlanarRefineOptions& options)
 {
   if (options.levels < 0 || options.levels > mostLevels)
   {
-    throw Error(Failure::BadStroke,
-      "levels is " + std::to_string(options.levels) + ": set it to 0 to " + std::to_string(mostLevels));
+    throw Error(Failure::BadStroke, "levels is %1: set it to 0 to %2", options.levels, mostLevels);
   }
   if (!(options.snapShare >= 0.0 && options.snapShare <= 1.0))
   {
@@ -39,8 +38,8 @@ void checkOptions(const PlanarRefineOptions& options)
   if (!(options.canvasSide > 0.0) || !std::isfinite(options.canvasSide))
   {
     throw Error(Failure::BadStroke,
-      "the canvas's longest side is " + std::to_string(options.canvasSide) +
-        ": give it one that is positive");
+      "the canvas's longest side is %1: give it one that is positive",
+      options.canvasSide);
   }
 }
 
@@ -52,8 +51,10 @@ void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeByLength>& cur
     if (mesh.points[p].stroke >= count)
     {
       throw Error(Failure::BadMesh,
-        "point " + std::to_string(p) + " lies on stroke " + std::to_string(mesh.points[p].stroke) + " of " +
-          std::to_string(count) + ": give the curves that the mesh was made of");
+        "point %1 lies on stroke %2 of %3: give the curves that the mesh was made of",
+        p,
+        mesh.points[p].stroke,
+        count);
     }
   }
   for (const StrokeEdge& edge : mesh.edges)
@@ -66,9 +67,13 @@ void checkStrokes(const PlanarMesh& mesh, const std::vector<StrokeByLength>& cur
         !(edge.end <= most + slack))
     {
       throw Error(Failure::BadMesh,
-        "the edge of points " + std::to_string(edge.from) + " and " + std::to_string(edge.to) +
-          " is no part of stroke " + std::to_string(edge.stroke) + ", from " + std::to_string(edge.start) +
-          " to " + std::to_string(edge.end) + ": give the curves that the mesh was made of");
+        "the edge of points %1 and %2 is no part of stroke %3, from %4 to %5: give the curves that the mesh "
+        "was made of",
+        edge.from,
+        edge.to,
+        edge.stroke,
+        edge.start,
+        edge.end);
     }
   }
 }
@@ -79,8 +84,8 @@ void checkSize(const PlanarMesh& mesh, const PlanarRefineOptions& options)
   if (faces > mostFaces)
   {
     throw Error(Failure::BadMesh,
-      "the refined mesh would have " + std::to_string(static_cast<long long>(faces)) +
-        " faces: ask for fewer levels");
+      "the refined mesh would have %1 faces: ask for fewer levels",
+      static_cast<long long>(faces));
   }
 }
 
@@ -160,9 +165,9 @@ std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links
     if (!found)
     {
       throw Error(Failure::BadMesh,
-        "face " + std::to_string(at) +
-          " covers next to nothing, or turns clockwise, away from all strokes: " +
-          "take the mesh as the filters of the drawing's triangles make it");
+        "face %1 covers next to nothing, or turns clockwise, away from all strokes: take the mesh as the "
+        "filters of the drawing's triangles make it",
+        at);
     }
   }
   std::vector<StrokeSplit> splits;

@@ -130,10 +130,10 @@ private:
     }
     if (!this->sees(middle, around))
     {
-      std::ostringstream text;
-      text << "the drawing is too thin near (" << middle[0] << ", " << middle[1]
-           << ") to be filled; draw it wider there";
-      throw Error(Failure::BadStroke, text.str());
+      throw Error(Failure::BadStroke,
+        "the drawing is too thin near {(%1, %2)} to be filled; draw it wider there",
+        middle[0],
+        middle[1]);
     }
     PlanarPoint point;
     point.place = middle;

@@ -56,8 +56,7 @@ Sketch sketchOf(const std::vector<StrokeLine>& lines, const std::vector<Vector2>
   {
     if (line.closed && line.places.size() < 3)
     {
-      throw Error(Failure::BadStroke,
-        "stroke " + std::to_string(line.stroke) + " is closed round nothing; draw a rounder one");
+      throw Error(Failure::BadStroke, "stroke %1 is closed round nothing; draw a rounder one", line.stroke);
     }
     places.insert(places.end(), line.places.begin(), line.places.end());
   }
@@ -116,10 +115,11 @@ Sketch sketchOf(const std::vector<StrokeLine>& lines, const std::vector<Vector2>
 
 [[noreturn]] void wrongSide(const StrokeLine& line, const Vector2& place)
 {
-  std::ostringstream text;
-  text << "stroke " << line.stroke << " is not where its region is, near (" << place[0] << ", " << place[1]
-       << "); take polylines of strokes that do not meet";
-  throw Error(Failure::BadStroke, text.str());
+  throw Error(Failure::BadStroke,
+    "{stroke %1} is not where its region is, near {(%2, %3)}; take polylines of strokes that do not meet",
+    line.stroke,
+    place[0],
+    place[1]);
 }
 
 // Of each face its region; -1 outside.

@@ -33,8 +33,10 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
     if (region < 0 || region >= static_cast<int>(gone.size()))
     {
       throw Error(Failure::BadMesh,
-        "face " + std::to_string(f) + " lies in region " + std::to_string(face.region) + " of " +
-          std::to_string(gone.size()) + ": give the curves that the mesh was made of");
+        "face %1 lies in region %2 of %3: give the curves that the mesh was made of",
+        f,
+        face.region,
+        gone.size());
     }
     for (int i = 0; i < face.count(); ++i)
     {

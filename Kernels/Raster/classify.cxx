@@ -284,57 +284,48 @@ Classification classify(const Frame& frame,
   return result;
 }
 
-std::string rejectionText(const Classification& classification,
+Message rejectionText(const Classification& classification,
   int stroke,
   const std::vector<DrawnStroke>& strokes)
 {
   const StrokeClass& which = classification.strokes[stroke];
-  std::ostringstream text;
-  text << "stroke " << nameOf(strokes, stroke) << " ";
-  const auto near = [&]
-  {
-    const Vector2 p = strokes[stroke].points[which.segment];
-    text << " near (" << p[0] << ", " << p[1] << ")";
-  };
+  const DrawnStroke& drawn = strokes[stroke];
+  const int name = nameOf(strokes, stroke);
+  const Vector2 near = drawn.points.empty() ? Vector2(0.0, 0.0) : drawn.points[which.segment];
   switch (which.rejection)
   {
     case Rejection::None:
-      return {};
+      break;
     case Rejection::TooShort:
-      text << "has too few distinct points; draw a longer one";
-      break;
+      return { "{Stroke %1} has too few distinct points; draw a longer one.", name };
     case Rejection::OffCanvas:
-      text << "leaves the canvas; draw it inside";
-      break;
+      return { "{Stroke %1} leaves the canvas; draw it inside.", name };
     case Rejection::CrossesItself:
-      text << "crosses itself";
-      near();
-      text << "; draw it without the loop";
-      break;
+      return { crossesItselfText, name, near[0], near[1] };
     case Rejection::Crosses:
-      text << "crosses stroke " << nameOf(strokes, which.other);
-      near();
-      text << "; end it before the other one, or draw one of them anew";
-      break;
+      return { crossesText, name, nameOf(strokes, which.other), near[0], near[1] };
     case Rejection::Outside:
-      if (const DrawnStroke& drawn = strokes[stroke]; !drawn.nodes.empty())
+      if (!drawn.nodes.empty())
       {
         const Vector2 end = drawn.isNode(0) ? drawn.points.back() : drawn.points.front();
-        text << "sticks out of the outline to (" << end[0] << ", " << end[1]
-             << "), which is left out; end it inside, or close what it is to bound";
-        break;
+        return { "{Stroke %1} sticks out of the outline to (%2, %3), which is left out; end it inside, or "
+                 "close what it is to bound.",
+          name,
+          end[0],
+          end[1] };
       }
-      text << "is open and in no closed stroke; close it, or draw a closed one round it";
-      break;
+      return { "{Stroke %1} is open and in no closed stroke; close it, or draw a closed one round it.",
+        name };
     case Rejection::TooSmall:
-      text << "is closed round less than 9 px; draw it larger";
-      break;
+      return { "{Stroke %1} is closed round less than 9 px; draw it larger.", name };
     case Rejection::Areas:
-      text << "touches " << which.contacts.size()
-           << " areas; draw it with more room to the others and between its own parts";
-      break;
+      return {
+        "{Stroke %1} touches %2 areas; draw it with more room to the others and between its own parts.",
+        name,
+        which.contacts.size()
+      };
   }
-  return text.str();
+  return {};
 }
 
 } // namespace oversketch

@@ -6,7 +6,6 @@
 #include "Raster/blobs.h"
 
 #include <algorithm>
-#include <string>
 
 namespace oversketch
 {
@@ -103,9 +102,15 @@ Classification classify(const Frame& frame,
   double contactShare,
   const Context& context);
 
-// Why a stroke was rejected and what to do about it, its number first ("stroke 3 crosses stroke 5 near ...");
-// empty when it was not.
-std::string rejectionText(const Classification& classification,
+// What is said of strokes that cross, which vtkOversketchArrange would take as they are.
+constexpr const char* crossesItselfText =
+  "{Stroke %1} crosses itself near {(%2, %3)}; draw it without the loop.";
+constexpr const char* crossesText =
+  "{Stroke %1} crosses {stroke %2} near {(%3, %4)}; end it before the other "
+  "one, or draw one of them anew.";
+
+// Why a stroke was rejected and what to do about it; empty when it was not.
+Message rejectionText(const Classification& classification,
   int stroke,
   const std::vector<DrawnStroke>& strokes);
 

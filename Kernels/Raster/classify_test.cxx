@@ -203,7 +203,7 @@ TEST(C5_6, ANeckThatMergesIsNoFault)
   const Classification published = classify(pixelFrame(), strokes, 0.0, Context());
   EXPECT_EQ(published.strokes[0].role, Role::Rejected);
   EXPECT_EQ(published.strokes[0].rejection, Rejection::Areas);
-  EXPECT_NE(rejectionText(published, 0, strokes).find("stroke 0 touches 3 areas"), std::string::npos);
+  EXPECT_NE(rejectionText(published, 0, strokes).text().find("Stroke 0 touches 3 areas"), std::string::npos);
   fact("C5_6",
     "a dumbbell whose neck merges touches 3 blobs: role 1, one object of one region; as published rejected");
 }
@@ -217,7 +217,7 @@ TEST(C5_7, AFigureEightIsNamed)
     EXPECT_EQ(result.strokes[1].role, Role::Rejected);
     EXPECT_EQ(result.strokes[1].rejection, Rejection::CrossesItself);
     EXPECT_EQ(result.strokes[0].role, Role::Boundary);
-    EXPECT_EQ(rejectionText(result, 1, strokes).rfind("stroke 1 crosses itself near (5", 0), 0u);
+    EXPECT_EQ(rejectionText(result, 1, strokes).text().rfind("Stroke 1 crosses itself near (5", 0), 0u);
     EXPECT_EQ(rejectionText(result, 0, strokes), "");
   }
   fact("C5_7", "a figure eight: role -1, \"stroke 1 crosses itself near (500, 500)\"");
@@ -253,8 +253,10 @@ TEST(Classify, HostileStrokesAreRejectedByName)
   {
     EXPECT_EQ(result.strokes[i].rejection, expected[i]) << i;
     EXPECT_EQ(result.strokes[i].role, Role::Rejected) << i;
-    EXPECT_EQ(
-      rejectionText(result, static_cast<int>(i), strokes).rfind("stroke " + std::to_string(i) + " ", 0), 0u);
+    EXPECT_EQ(rejectionText(result, static_cast<int>(i), strokes)
+                .text()
+                .rfind("Stroke " + std::to_string(i) + " ", 0),
+      0u);
   }
   EXPECT_EQ(result.objects, 0);
   EXPECT_EQ(classify(pixelFrame(), {}, share, Context()).blobs, 1);

@@ -49,8 +49,7 @@ inline void checkTaken(RTCDevice device)
   const RTCError error = rtcGetDeviceError(device);
   if (error != RTC_ERROR_NONE)
   {
-    throw Error(Failure::Unexpected,
-      "Embree could not take the mesh (error " + std::to_string(static_cast<int>(error)) + ").");
+    throw Error(Failure::Unexpected, "Embree could not take the mesh (error %1).", static_cast<int>(error));
   }
 }
 

@@ -14,12 +14,10 @@ namespace oversketch
 namespace
 {
 
-template <typename... Parts>
-[[noreturn]] void refuseStroke(const Parts&... parts)
+template <typename... Arguments>
+[[noreturn]] void refuseStroke(const char* text, const Arguments&... arguments)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw Error(Failure::BadStroke, message.str());
+  throw Error(Failure::BadStroke, text, arguments...);
 }
 
 // What is under a place of the stroke.
@@ -165,13 +163,11 @@ End endOf(const SurfaceRays& surface,
   }
   if (!under.found())
   {
-    refuseStroke("The stroke ",
+    refuseStroke("The stroke %1 %2 px beside the silhouette, and not on the model: press and release the pen "
+                 "on the model, or within %3 px of its outline.",
       which,
-      " ",
       std::lround(std::min(pixels, 1e6)),
-      " px beside the silhouette, and not on the model: press and release the pen on the model, or within ",
-      rules.reach,
-      " px of its outline.");
+      rules.reach);
   }
   return inSpace;
 }
@@ -357,11 +353,9 @@ void refuseSpike(const std::vector<Vector3>& sketch,
   const double times = length / (end.position - begin.position).norm();
   if (rules.projection == SketchProjection::Line && times > steepest)
   {
-    refuseStroke("The stroke is ",
-      times,
-      " times as long as the way between its ends, which is a limb rather than a bump: pull it by "
-      "one-stroke, "
-      "or begin and end farther apart.");
+    refuseStroke("The stroke is %1 times as long as the way between its ends, which is a limb rather than a "
+                 "bump: pull it by one-stroke, or begin and end farther apart.",
+      times);
   }
 }
 
@@ -444,9 +438,8 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   if (rules.projection == SketchProjection::Line && begin.normal.dot(end.normal) < -0.5)
   {
     refuseStroke(
-      "The stroke leads round the end of a limb, from one side of it to the other. An outline drawn "
-      "anew is for bumps and dents: begin and end on one side of the limb, or pull the limb itself "
-      "by one-stroke.");
+      "The stroke leads round the end of a limb, from one side of it to the other. An outline drawn anew is "
+      "for bumps and dents: begin and end on one side of the limb, or pull the limb itself by one-stroke.");
   }
   const Vector3 n = 0.5 * (begin.normal + end.normal);
   std::vector<Vector3> sketch = sketchInPlane(surface, view, stroke, begin, end, n);
@@ -497,16 +490,13 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
     const double step = (hit.position - before).norm();
     if (rules.projection == SketchProjection::Line && rules.maximumStep > 0.0 && step > rules.maximumStep)
     {
-      refuseStroke("The curve under the sketch takes a step of ",
+      refuseStroke("The curve under the sketch takes a step of %1 at sample %2, longer than %3 "
+                   "({maximumStep}): between the stroke's ends there is no surface for it to follow. An "
+                   "outline drawn anew is for bumps and dents: draw nearer to the outline of one part, or "
+                   "pull a limb by one-stroke (or take the projection Path).",
         step,
-        " at sample ",
         k,
-        ", longer than ",
-        rules.maximumStep,
-        " (MaximumStep): between the stroke's ends there is no surface for it to follow. An outline drawn "
-        "anew is "
-        "for bumps and dents: draw nearer to the outline of one part, or pull a limb by one-stroke"
-        " (or take the projection Path).");
+        rules.maximumStep);
     }
     append(result, hit, static_cast<double>(k), sketch[k], k == last);
     before = hit.position;

@@ -520,7 +520,7 @@ ShapeDiameter computeShapeDiameter(const Mesh& mesh,
       {
         throw;
       }
-      result.warning = std::string(error.what()) + " The host computes instead.";
+      result.warning = { "%1 The host computes instead.", error.message() };
     }
   }
   if (!done)

@@ -39,7 +39,7 @@ struct ShapeDiameter
   long long raysTraced = 0;     // rayCount per vertex that has a normal
   long long raysCast = 0;       // those of them that KnownDiameters did not answer
   Backend used = Backend::Host;
-  std::string warning; // why the host stood in for the device, or empty
+  Message warning; // why the host stood in for the device, or empty
 };
 
 // One hit of a cone's ray, in the precision of the mesh.

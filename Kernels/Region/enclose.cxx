@@ -21,7 +21,7 @@ std::vector<char> walls(const Adjacency& adjacency, const std::vector<int>& boun
   if (boundary.size() < 4 || boundary.front() != boundary.back())
   {
     throw Error(Failure::BadStroke,
-      "The boundary curve is not closed round at least one face: draw it back to where it began.");
+      "{The boundary curve} is not closed round at least one face: draw it back to where it began.");
   }
   std::vector<char> wall(adjacency.edges.size(), 0);
   for (std::size_t i = 0; i + 1 < boundary.size(); ++i)
@@ -30,9 +30,10 @@ std::vector<char> walls(const Adjacency& adjacency, const std::vector<int>& boun
     if (edge < 0)
     {
       throw Error(Failure::BadStroke,
-        "The boundary curve leaves the edges of the mesh between its vertices " +
-          std::to_string(boundary[i]) + " and " + std::to_string(boundary[i + 1]) +
-          ", where the region would leak out: insert it with its segments as edges.");
+        "{The boundary curve} leaves the edges of the mesh between its vertices %1 and %2, where the region "
+        "would leak out: insert it with its segments as edges.",
+        boundary[i],
+        boundary[i + 1]);
     }
     wall[edge] = 1;
   }
@@ -44,7 +45,7 @@ int seedOf(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>&
 {
   if (reference.size() < 2)
   {
-    throw Error(Failure::BadStroke, "The reference curve has fewer than two vertices: draw a longer one.");
+    throw Error(Failure::BadStroke, "{The reference curve} has fewer than two vertices: draw a longer one.");
   }
   std::vector<double> lengths{ 0.0 };
   for (std::size_t i = 1; i < reference.size(); ++i)
@@ -64,8 +65,8 @@ int seedOf(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>&
   if (adjacency.vertexTriangles.size(nearer) == 0)
   {
     throw Error(Failure::BadStroke,
-      "Vertex " + std::to_string(nearer) +
-        " of the reference curve is at no face of the mesh: draw the curve anew on this mesh.");
+      "Vertex %1 of {the reference curve} is at no face of the mesh: draw the curve anew on this mesh.",
+      nearer);
   }
   return *adjacency.vertexTriangles.begin(nearer);
 }
@@ -110,9 +111,11 @@ void requireInside(const std::vector<int>& reference, const Enclosed& enclosed)
     if (enclosed.vertices[reference[i]] != 2)
     {
       throw Error(Failure::BadRegion,
-        "The reference curve is not all inside the boundary: its point " + std::to_string(i) + ", vertex " +
-          std::to_string(reference[i]) + " of the mesh, lies on the boundary or beyond; draw the boundary " +
-          "round the whole reference curve.");
+        "{The reference curve} is not all inside {the boundary}: its point %1, vertex %2 of the mesh, lies "
+        "on "
+        "{the boundary} or beyond; draw {the boundary} round the whole reference curve.",
+        i,
+        reference[i]);
     }
   }
 }
@@ -170,9 +173,9 @@ void requireRoomOutside(const Mesh& mesh,
   {
     const int percent = std::isfinite(share) ? static_cast<int>(std::lround(100.0 * share)) : 100;
     throw Error(Failure::BadRegion,
-      "The region takes " + std::to_string(percent) +
-        " % of the surface that it lies on, over 80 %, so nothing would hold it: draw a smaller boundary, " +
-        "one that closes round the reference curve.");
+      "The region takes %1 % of the surface that it lies on, over 80 %, so nothing would hold it: draw a "
+      "smaller boundary, one that closes round {the reference curve}.",
+      percent);
   }
 }
 

@@ -471,7 +471,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
   if (evidence.seeds.empty())
   {
     throw Error(Failure::BadRegion,
-      "The section has no vertices to grow a region from; draw a longer stroke or lower SeedMargin.");
+      "The section has no vertices to grow a region from; draw a longer stroke or lower {seedMargin}.");
   }
   std::vector<char> isSeed(mesh.points.size(), 0);
   for (int seed : evidence.seeds)
@@ -578,10 +578,11 @@ std::vector<char> detectRegion(const Mesh& mesh,
       evidence.seeds.end(),
       [&](int seed) { return held[parts.of[seed]] && isWithinTwoRings(adjacency, parts, seed); });
     throw Error(Failure::BadRegion,
-      std::string("The region reaches the whole model, or a whole separate part of it, so nothing is left to "
-                  "hold it; ") +
-        (isCoarse ? "take a model with more triangles."
-                  : "draw a shorter stroke, or one on a part that differs more in thickness from the rest."));
+      isCoarse
+        ? "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold "
+          "it; take a model with more triangles."
+        : "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold "
+          "it; draw a shorter stroke, or one on a part that differs more in thickness from the rest.");
   }
   return region;
 }

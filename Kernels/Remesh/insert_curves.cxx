@@ -19,9 +19,7 @@ constexpr int mostRepeats = 4;
 
 [[noreturn]] void refuseCurve(const NewCurve& curve, const char* why)
 {
-  std::ostringstream message;
-  message << "Curve " << curve.number << " cannot be used: " << why;
-  throw Error(Failure::BadStroke, message.str());
+  throw Error(Failure::BadStroke, Message::unusable("Curve", curve.number, why));
 }
 
 class Inserter
@@ -250,8 +248,8 @@ private:
     }
     if (best < 0)
     {
-      throw Error(Failure::BadMesh,
-        "Triangle " + std::to_string(inputTriangle) + " has no area, and a curve lies in it; remove it.");
+      throw Error(
+        Failure::BadMesh, "Triangle %1 has no area, and a curve lies in it; remove it.", inputTriangle);
     }
     return best;
   }
@@ -485,10 +483,12 @@ void refuseLoose(const CurveMesh& mesh, const std::vector<MeshCurve>& stored)
       const int a = curve.vertices[i], b = curve.vertices[curve.next(i)];
       if (!mesh.joined(a, b))
       {
-        std::ostringstream message;
-        message << "Stored curve " << c << " cannot be used: no edge joins its vertices " << a << " and " << b
-                << ". Take it from vtkOversketchInsertCurve on this mesh.";
-        throw Error(Failure::BadStroke, message.str());
+        throw Error(Failure::BadStroke,
+          "Stored curve %1 cannot be used: no edge joins its vertices %2 and %3. Take it from "
+          "vtkOversketchInsertCurve on this mesh.",
+          c,
+          a,
+          b);
       }
     }
   }

@@ -69,10 +69,11 @@ void requireBounded(const Mesh& moved, const std::vector<char>& active, const st
   }
   if (!(wanted <= std::max(mostTriangles, mostPerTriangle * before)))
   {
-    std::ostringstream message;
-    message << "The edit stretches " << before << " triangles to what takes " << wanted
-            << " as large as the model's: make a smaller edit, or none of them anew (Rule Off).";
-    throw Error(Failure::Torn, message.str());
+    throw Error(Failure::Torn,
+      "The edit stretches %1 triangles to what takes %2 as large as the model's: make a smaller edit, or "
+      "none of them anew ({Rule Off}).",
+      before,
+      wanted);
   }
 }
 

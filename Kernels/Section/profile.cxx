@@ -26,7 +26,7 @@ std::vector<double> lengthsOf(const std::vector<Vector3>& points)
   return lengths;
 }
 
-[[noreturn]] void refuse(const std::string& what)
+[[noreturn]] void refuse(const Message& what)
 {
   throw Error(Failure::BadStroke, what);
 }
@@ -76,16 +76,18 @@ void checkDrawn(const Polyline& drawn, const std::vector<double>& source)
     const std::string point = "Point " + std::to_string(i) + " of the new profile ";
     if (!drawn[i].allFinite())
     {
-      refuse(point + "is not finite; draw it anew.");
+      refuse({ "%1is not finite; draw it anew.", point });
     }
     if (!(source[i] >= 0.0 && source[i] <= 1.0))
     {
-      refuse(point + "comes from a place outside 0 and 1 of the old one; redraw the profile by a re-sketch.");
+      refuse(
+        { "%1comes from a place outside 0 and 1 of the old one; redraw the profile by a re-sketch.", point });
     }
     if (i > 0 && source[i] < source[i - 1])
     {
-      refuse(point + "comes from a place before that of the point before it; redraw the profile by a "
-                     "re-sketch, which gives them in order.");
+      refuse({ "%1comes from a place before that of the point before it; redraw the profile by a re-sketch, "
+               "which gives them in order.",
+        point });
     }
   }
 }

@@ -201,9 +201,10 @@ std::vector<int> boundaryEdges(const Adjacency& adjacency, const std::vector<int
     if (edges.back() < 0)
     {
       throw Error(Failure::BadStroke,
-        "Points " + std::to_string(a) + " and " + std::to_string(b) +
-          ", which follow each other on the boundary curve, are not joined by an edge of the mesh; insert "
-          "the curve with its segments.");
+        "Points %1 and %2, which follow each other on {the boundary curve}, are not joined by an edge of the "
+        "mesh; insert the curve with its segments.",
+        a,
+        b);
     }
   }
   return edges;
@@ -314,13 +315,13 @@ private:
     if (!middle.found())
     {
       throw Error(Failure::BadStroke,
-        "The plane does not cut the surface beside the reference curve; slide it along the curve, or draw "
+        "The plane does not cut the surface beside {the reference curve}; slide it along the curve, or draw "
         "the curve smoother.");
     }
     const std::vector<int> sides = this->trianglesOf(middle);
     if (sides.size() != 2)
     {
-      refuseWay({ { middle }, sides.size() == 1 ? Ended::Border : Ended::Branch }, "the boundary curve");
+      refuseWay({ { middle }, sides.size() == 1 ? Ended::Border : Ended::Branch }, "{the boundary curve}");
     }
     const auto meets = [](const Walker::Exit& exit) { return exit.isBoundary; };
     Way ways[2];
@@ -333,7 +334,7 @@ private:
       }
       if (ways[k].ended != Ended::Met)
       {
-        refuseWay(ways[k], "the boundary curve");
+        refuseWay(ways[k], "{the boundary curve}");
       }
     }
     const Vector3 step =

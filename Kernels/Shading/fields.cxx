@@ -143,7 +143,7 @@ void checkChain(const Mesh& patch,
   if (!good)
   {
     throw Error(Failure::BadStroke,
-      "The reference curve is not a chain of two or more vertices inside the region; lay it on the mesh "
+      "{The reference curve} is not a chain of two or more vertices inside the region; lay it on the mesh "
       "anew.");
   }
 }

@@ -157,8 +157,8 @@ std::vector<Vector2> onCircle(const Mesh& patch, const std::vector<int>& border)
     if (!(step > 0.0) || !std::isfinite(step))
     {
       throw Error(Failure::BadRegion,
-        "The boundary has an edge without length at vertex " + std::to_string(border[i]) +
-          " of the region; clean the mesh first.");
+        "{The boundary} has an edge without length at vertex %1 of the region; clean the mesh first.",
+        border[i]);
     }
     lengths.push_back(lengths.back() + step);
   }

@@ -59,16 +59,15 @@ LayerList layerList(const std::string& text)
             list.areas.end(),
             [&](const AreaLayers& other) { return other.area == area.area; }))
       {
-        throw Error(Failure::BadStroke,
-          "Layers names area " + std::to_string(area.area) + " twice; put its handles together.");
+        throw Error(Failure::BadStroke, "{layers} names area %1 twice; put its handles together.", area.area);
       }
       list.areas.push_back(area);
     }
     else
     {
       throw Error(Failure::BadStroke,
-        "Layers says \"" + item +
-          "\"; give \"handle FROM TO\" or \"area NUMBER LEVELS\", with \";\" between them.");
+        "{layers} says \"%1\"; give \"handle FROM TO\" or \"area NUMBER LEVELS\", with \";\" between them.",
+        item);
     }
   }
   return list;

@@ -23,13 +23,13 @@ std::vector<LayerHandle> heldOf(const std::vector<LayerHandle>& handles)
     const auto name = "Layer handle " + std::to_string(held.size());
     if (!std::isfinite(handle.rest) || !std::isfinite(handle.place))
     {
-      throw Error(Failure::BadStroke, name + " is not finite; remove it.");
+      throw Error(Failure::BadStroke, "%1 is not finite; remove it.", name);
     }
     for (const LayerHandle& other : held)
     {
       if (!(std::abs(other.rest - handle.rest) >= nearest))
       {
-        throw Error(Failure::BadStroke, name + " is too near to another one; place it farther away.");
+        throw Error(Failure::BadStroke, "%1 is too near to another one; place it farther away.", name);
       }
       if (other.rest < handle.rest && other.rest >= lowRest)
       {
@@ -61,7 +61,7 @@ Layers::Layers(int levels, const std::vector<LayerHandle>& handles)
 {
   if (levels < 2 || levels > 256)
   {
-    throw Error(Failure::BadStroke, std::to_string(levels) + " levels are asked for; there can be 2 to 256.");
+    throw Error(Failure::BadStroke, "%1 levels are asked for; there can be 2 to 256.", levels);
   }
   this->Band.push_back({ 0.0, 0.0 });
   this->Band.push_back({ 1.0, 1.0 });

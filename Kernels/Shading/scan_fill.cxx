@@ -51,8 +51,8 @@ std::vector<Span> scanFill(const std::vector<Pixel>& polygon)
     const Pixel &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
     if (std::abs(a[0]) > farthest || std::abs(a[1]) > farthest)
     {
-      throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) + " of the selection lies far outside the picture; draw it anew.");
+      throw Error(
+        Failure::BadStroke, "Point %1 of the selection lies far outside the picture; draw it anew.", i);
     }
     if (a[1] != b[1])
     {

@@ -187,25 +187,16 @@ double backAlong(std::vector<OutlineLoop> loops,
   return least;
 }
 
-std::string pixels(double value)
+// [%], to tenths below ten.
+double percent(double share)
 {
-  std::ostringstream text;
-  text << std::lround(value) << " px";
-  return text.str();
-}
-
-std::string percent(double share)
-{
-  std::ostringstream text;
   const double tenths = std::round(1000.0 * share) / 10.0;
-  text << (tenths < 10.0 ? tenths : std::round(tenths)) << " %";
-  return text.str();
+  return tenths < 10.0 ? tenths : std::round(tenths);
 }
 
-std::string crossing(const StrokeEffect& effect)
+Message crossing(const StrokeEffect& effect)
 {
-  return "the surface passes through itself: " + std::to_string(effect.crossings) +
-         " pairs of triangles cross";
+  return { "the surface passes through itself: %1 pairs of triangles cross", effect.crossings };
 }
 
 } // namespace
@@ -274,26 +265,27 @@ void measureMovement(const Mesh& before,
   }
 }
 
-std::vector<std::string> remarks(const StrokeEffect& effect)
+std::vector<Message> remarks(const StrokeEffect& effect)
 {
   constexpr double near = 3.0;      // px in the mean: as near as a result has to come to the stroke's middle
   constexpr double large = 0.45;    // of the surface
   constexpr double far = 8.0;       // px at worst
   constexpr double hand = 2.5;      // px at worst: what is missed by more is seen
   constexpr double leftOver = 10.0; // px of outline beside the stroke that the stroke itself does not meet
-  std::vector<std::string> said;
+  std::vector<Message> said;
   if (!std::isfinite(effect.outline.mean))
   {
     said.emplace_back("nothing is seen of the model any more");
   }
   else if (effect.outline.mean > near)
   {
-    said.push_back("the outline misses the stroke by " + pixels(effect.outline.mean) +
-                   " in the mean and by " + pixels(effect.outline.worst) + " at worst");
+    said.emplace_back("the outline misses the stroke by %1 px in the mean and by %2 px at worst",
+      std::lround(effect.outline.mean),
+      std::lround(effect.outline.worst));
   }
   else if (effect.outline.worst > far)
   {
-    said.push_back("the outline misses the stroke by " + pixels(effect.outline.worst) + " at worst");
+    said.emplace_back("the outline misses the stroke by %1 px at worst", std::lround(effect.outline.worst));
   }
   else if (!std::isfinite(effect.outlineBack))
   {
@@ -301,15 +293,16 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   }
   else if (effect.outlineBack > leftOver)
   {
-    said.push_back("between the stroke's ends the outline runs " + pixels(effect.outlineBack) + " beside it");
+    said.emplace_back(
+      "between the stroke's ends the outline runs %1 px beside it", std::lround(effect.outlineBack));
   }
   else if (effect.missed > hand)
   {
-    said.push_back("the outline misses the stroke by " + pixels(effect.missed) + " at worst");
+    said.emplace_back("the outline misses the stroke by %1 px at worst", std::lround(effect.missed));
   }
   if (effect.back > Judgement::tolerableBack)
   {
-    said.push_back(percent(effect.back) + " of what is seen of the model is turned inside out");
+    said.emplace_back("%1 % of what is seen of the model is turned inside out", percent(effect.back));
   }
   if (effect.crossings > StrokeEffect::tolerableCrossings)
   {
@@ -317,18 +310,17 @@ std::vector<std::string> remarks(const StrokeEffect& effect)
   }
   if (effect.strayDistance > 0.0)
   {
-    said.push_back("what lies up to " + pixels(effect.strayDistance) +
-                   " beside the stroke moved too, by up to " + pixels(effect.strayMovement));
+    said.emplace_back("what lies up to %1 px beside the stroke moved too, by up to %2 px",
+      std::lround(effect.strayDistance),
+      std::lround(effect.strayMovement));
   }
   if (effect.movedShare > large)
   {
-    said.push_back(percent(effect.movedShare) + " of the surface moved");
+    said.emplace_back("%1 % of the surface moved", percent(effect.movedShare));
   }
   if (effect.folds > 2 * Judgement::tolerableFolds)
   {
-    std::ostringstream text;
-    text << effect.folds << " edges are folded over";
-    said.push_back(text.str());
+    said.emplace_back("%1 edges are folded over", effect.folds);
   }
   return said;
 }
@@ -341,25 +333,20 @@ bool crossesWrongly(const StrokeEffect& effect)
   return effect.crossings > StrokeEffect::tolerableCrossings && !remarks(beside).empty();
 }
 
-std::string tornBy(const StrokeEffect& effect)
+Message tornBy(const StrokeEffect& effect)
 {
   StrokeEffect beside = effect;
   beside.movedShare = 0.0;
   const bool asDrawn = remarks(beside).empty();
-  std::ostringstream text;
   if (effect.stretch > StrokeEffect::tornStretch && !(effect.remeshed && asDrawn))
   {
-    text << "edges are stretched or squeezed " << std::lround(effect.stretch) << " times";
+    return { "edges are stretched or squeezed %1 times", std::lround(effect.stretch) };
   }
-  else if (effect.movedShare > StrokeEffect::tornShare && !asDrawn)
+  if (effect.movedShare > StrokeEffect::tornShare && !asDrawn)
   {
-    text << percent(effect.movedShare) << " of the surface moved";
+    return { "%1 % of the surface moved", percent(effect.movedShare) };
   }
-  else if (crossesWrongly(effect))
-  {
-    text << crossing(effect);
-  }
-  return text.str();
+  return crossesWrongly(effect) ? crossing(effect) : Message();
 }
 
 bool beyondHelp(const StrokeEffect& effect)

@@ -5,7 +5,6 @@
 
 #include "Silhouette/judgement.h"
 
-#include <string>
 #include <vector>
 
 namespace oversketch
@@ -56,7 +55,7 @@ void measureMovement(const Mesh& before,
   const Context& context = Context());
 
 // What is to be said of it, a sentence each, the worst first; none where the stroke did what was drawn.
-std::vector<std::string> remarks(const StrokeEffect& effect);
+std::vector<Message> remarks(const StrokeEffect& effect);
 
 // True where the surface passes through itself and is not as drawn besides: limbs welded, twisted or turned
 // over. One that is drawn as it is may be meant to pass through another part.
@@ -64,7 +63,7 @@ bool crossesWrongly(const StrokeEffect& effect);
 
 // Why the result is a wreck; empty where it is none. A limb may be drawn many times as long, and a trunk
 // moved as a whole: where triangles were made even again and all else is as drawn, nothing is torn.
-std::string tornBy(const StrokeEffect& effect);
+Message tornBy(const StrokeEffect& effect);
 
 // True where no new triangles can help, so that none need be made: what was moved beside the stroke is most
 // of the surface, or the outline is farther from the stroke than a hand misses by.

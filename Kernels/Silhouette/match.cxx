@@ -309,7 +309,7 @@ std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& ca
   return ranked;
 }
 
-[[noreturn]] void refuse(const std::string& message)
+[[noreturn]] void refuse(const Message& message)
 {
   throw Error(Failure::NoMatch, message);
 }
@@ -335,11 +335,10 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
     }
     if (gap > rules.maximumGap && std::isfinite(gap))
     {
-      std::ostringstream message;
-      message << "The stroke is " << std::lround(gap)
-              << " px from any outline, more than MaximumGap = " << rules.maximumGap
-              << " px. Draw it along the outline that it is to replace.";
-      refuse(message.str());
+      refuse({ "The stroke is %1 px from any outline, more than {maximumGap} = %2 px. Draw it along the "
+               "outline that it is to replace.",
+        std::lround(gap),
+        rules.maximumGap });
     }
   }
   const bool comparing = rules.amendedScore && rules.compareShapes;
@@ -356,10 +355,10 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
     const int count = static_cast<int>(ranked.size());
     if (count > 0 && rules.rank >= count)
     {
-      std::ostringstream message;
-      message << "Only " << count << (count == 1 ? " section fits" : " sections fit")
-              << " the stroke; there is no number " << rules.rank + 1 << ". Lower Candidate.";
-      refuse(message.str());
+      refuse({ count == 1 ? "Only %1 section fits the stroke; there is no number %2. Lower {candidate}."
+                          : "Only %1 sections fit the stroke; there is no number %2. Lower {candidate}.",
+        count,
+        rules.rank + 1 });
     }
     if (count > 0)
     {
@@ -379,12 +378,11 @@ MatchedSection matchStroke(const std::vector<MatchCandidate>& candidates,
   }
   if (rules.maximumDistance > 0.0 && match.distance > rules.maximumDistance)
   {
-    std::ostringstream message;
-    message << "The nearest silhouette section is " << match.distance
-            << " px from the stroke on average, more than "
-            << "MaximumDistance = " << rules.maximumDistance
-            << " px. Draw nearer to the outline or raise the limit.";
-    refuse(message.str());
+    refuse(
+      { "The nearest silhouette section is %1 px from the stroke on average, more than {maximumDistance} = "
+        "%2 px. Draw nearer to the outline or raise the limit.",
+        match.distance,
+        rules.maximumDistance });
   }
   return match;
 }

@@ -167,11 +167,11 @@ private:
     }
     if (count > 3)
     {
-      std::ostringstream message;
-      message << "Two consecutive curve points share no triangle of the mesh (vertices " << vertices[0]
-              << " to " << vertices[count - 1]
-              << "); give the curves as the silhouette or snake filter made them.";
-      throw Error(Failure::BadMesh, message.str());
+      throw Error(Failure::BadMesh,
+        "Two consecutive curve points share no triangle of the mesh (vertices %1 to %2); give the curves as "
+        "the silhouette or snake filter made them.",
+        vertices[0],
+        vertices[count - 1]);
     }
     CurvePoint p;
     for (int k = 0; k < 3; ++k)
@@ -336,7 +336,7 @@ private:
       }
       catch (const Error& error)
       {
-        result.warning = std::string(error.what()) + " The host tests visibility instead.";
+        result.warning = { "%1 The host tests visibility instead.", error.message() };
       }
     }
     result.used = Backend::Host;

@@ -27,7 +27,7 @@ struct VisibilityResult
 {
   std::vector<VisibilitySegment> segments; // curve by curve, along each
   Backend used = Backend::Host;
-  std::string warning; // why the host stood in for the device, else empty
+  Message warning; // why the host stood in for the device, else empty
 };
 
 // Cuts curves at cusps (three consecutive points that form an angle below cuspAngle on the image plane) and

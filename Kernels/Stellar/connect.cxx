@@ -140,9 +140,9 @@ void Forest::connect(const Context& context)
                [&](const Edge& other) { return other.to == edge.to && other.runsAs(edge); }) > 1;
     };
     throw Error(Failure::BadMesh,
-      "The edge of points " + std::to_string(bad) + " and " +
-        std::to_string(std::find_if(of(bad), of(bad + 1), twice)->to) +
-        " belongs to two triangles that run the same way along it");
+      "The edge of points %1 and %2 belongs to two triangles that run the same way along it",
+      bad,
+      std::find_if(of(bad), of(bad + 1), twice)->to);
   }
   this->closed = !bounded;
 }

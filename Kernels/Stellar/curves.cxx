@@ -103,7 +103,7 @@ void checkCurves(const FeatureCurves& curves)
   {
     const FeatureCurve& c = curves[k];
     const auto refuse = [&](const std::string& what)
-    { throw Error(Failure::BadStroke, "Feature curve " + std::to_string(k) + " " + what + "."); };
+    { throw Error(Failure::BadStroke, "Feature curve %1 %2.", k, what); };
     if (c.points.size() < 2)
     {
       refuse("has fewer than two points; draw a longer stroke");

@@ -47,8 +47,9 @@ void refuseDefects(const std::string& defects)
   if (!defects.empty())
   {
     throw Error(Failure::BadMesh,
-      "The mesh is not an oriented manifold of triangles: " + defects +
-        "; mend it, for instance with vtkCleanPolyData and with vtkPolyDataNormals, Consistency on.");
+      "The mesh is not an oriented manifold of triangles: %1; mend it, for instance with vtkCleanPolyData "
+      "and with vtkPolyDataNormals, Consistency on.",
+      defects);
   }
 }
 

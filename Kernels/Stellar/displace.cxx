@@ -49,10 +49,12 @@ struct Shape
 
 void refuseShape(int curve, const std::string& what, double value)
 {
-  std::ostringstream message;
-  message << "The " << what << " of feature curve " << curve << " is " << value << "; give a number"
-          << (what == "radius" ? " above 0, a length of the model." : ".");
-  throw Error(Failure::BadStroke, message.str());
+  throw Error(Failure::BadStroke,
+    "The %1 of feature curve %2 is %3; give a number%4",
+    what,
+    curve,
+    value,
+    (what == "radius" ? " above 0, a length of the model." : "."));
 }
 
 std::vector<Shape> shapesOf(const FeatureCurves& curves, const DisplaceOptions& options)

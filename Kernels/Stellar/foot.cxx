@@ -299,12 +299,13 @@ FootReport snapFoot(Forest& forest,
     std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
   if (!own && !(options.radius > 0.0 && std::isfinite(options.radius)))
   {
-    throw Error(Failure::BadStroke, "The Radius must be a positive number.");
+    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
   }
   if (!(options.sharpness >= 0.0 && options.minimumAngle >= 0.0 && options.minimumAngle <= 60.0))
   {
     throw Error(Failure::BadStroke,
-      "The foot of a feature needs a Sharpness that is not negative and a minimum angle of 0 to 60 degrees.");
+      "The foot of a feature needs a {sharpness} that is not negative and a minimum angle of 0 to 60 "
+      "degrees.");
   }
   if (!options.parts.empty() && static_cast<int>(options.parts.size()) != forest.rootCount)
   {

@@ -223,8 +223,9 @@ int Forest::refine(int f, const MidpointRule& rule, std::vector<Birth>* births)
     if (this->faces[top].path >> maximumDepth)
     {
       throw Error(Failure::BadMesh,
-        "A triangle of root " + std::to_string(this->faces[top].root) + " was split " +
-          std::to_string(maximumDepth) + " times, which is the limit; refine less deeply.");
+        "A triangle of root %1 was split %2 times, which is the limit; refine less deeply.",
+        this->faces[top].root,
+        maximumDepth);
     }
     const int m = this->split(top, rule, births);
     if (depth-- == 0)

@@ -17,9 +17,9 @@ constexpr const char* culprit =
   "; a filter merged, split or reordered cells or points of the 4-8 mesh. Save it "
   "and read it without such a filter in between, or make a new base of it.";
 
-[[noreturn]] void refuseLeaves(const std::string& what)
+[[noreturn]] void refuseLeaves(const Message& what)
 {
-  throw Error(Failure::BadMesh, what + culprit);
+  throw Error(Failure::BadMesh, "%1%2", what, culprit);
 }
 
 int depthOf(std::uint64_t path)
@@ -70,7 +70,7 @@ public:
     }
     if (!this->Stack.empty())
     {
-      refuseLeaves("StellarPath: the last root, " + std::to_string(this->Out.rootCount) + ", lacks cells");
+      refuseLeaves({ "StellarPath: the last root, %1, lacks cells", this->Out.rootCount });
     }
   }
 
@@ -86,16 +86,15 @@ private:
     { return std::string(array) + " of cell " + std::to_string(cell); };
     if (this->In.root[cell] != this->Out.rootCount)
     {
-      refuseLeaves(at("StellarRoot") + " is " + std::to_string(this->In.root[cell]) + " where root " +
-                   std::to_string(this->Out.rootCount) + " goes on");
+      refuseLeaves(
+        { "%1 is %2 where root %3 goes on", at("StellarRoot"), this->In.root[cell], this->Out.rootCount });
     }
     // The leftmost leaf of what comes next.
     const std::uint64_t next = this->Stack.empty() ? 1 : this->Stack.back().path + 1;
     const int below = path ? depthOf(path) - depthOf(next) : -1;
     if (below < 0 || path >> below != next || path != next << below || depthOf(path) > Forest::maximumDepth)
     {
-      refuseLeaves(
-        at("StellarPath") + " is " + std::to_string(path) + ", which does not follow the cell before");
+      refuseLeaves({ "%1 is %2, which does not follow the cell before", at("StellarPath"), path });
     }
     const int gen = this->In.gen[cell], depth = depthOf(path);
     if (this->Stack.empty())
@@ -104,20 +103,19 @@ private:
     }
     if (gen - depth != this->RootGen || this->RootGen < 0 || this->RootGen > 1)
     {
-      refuseLeaves(at("StellarGen") + " is " + std::to_string(gen) + ", which does not fit its StellarPath");
+      refuseLeaves({ "%1 is %2, which does not fit its StellarPath", at("StellarGen"), gen });
     }
     const Triangle& t = this->In.triangles[cell];
     for (int v : t)
     {
       if (v < 0 || v >= static_cast<int>(this->In.points.size()))
       {
-        refuseLeaves(
-          "Cell " + std::to_string(cell) + " names point " + std::to_string(v) + ", which is not there");
+        refuseLeaves({ "Cell %1 names point %2, which is not there", cell, v });
       }
     }
     if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
     {
-      refuseLeaves("Cell " + std::to_string(cell) + " names a point twice");
+      refuseLeaves({ "Cell %1 names a point twice", cell });
     }
     this->Stack.push_back({ path, t, gen });
   }
@@ -135,8 +133,7 @@ private:
                                                 vertex.parents[1] == a && this->Levels[m] == first.gen));
     if (!fits)
     {
-      refuseLeaves(
-        "The points of cell " + std::to_string(cell) + " do not fit those of the cell it was split off");
+      refuseLeaves({ "The points of cell %1 do not fit those of the cell it was split off", cell });
     }
     vertex.parents[0] = a;
     vertex.parents[1] = c;
@@ -154,8 +151,8 @@ private:
       const int v = root.v[i], level = i == 0 ? root.gen : 0;
       if (this->Sides[v] < 0 ? this->Levels[v] != level : this->Sides[v] > 0)
       {
-        refuseLeaves("Point " + std::to_string(v) + ", a corner of the root that ends with cell " +
-                     std::to_string(cell) + ", is a new point elsewhere");
+        refuseLeaves(
+          { "Point %1, a corner of the root that ends with cell %2, is a new point elsewhere", v, cell });
       }
       this->Levels[v] = static_cast<std::uint8_t>(level);
       this->Sides[v] = -1;
@@ -179,8 +176,11 @@ void checkSizes(const Leaves& in)
     if (size != wanted && !(optional && size == 0))
     {
       throw Error(Failure::MissingArray,
-        std::string("The array ") + array + " of a 4-8 mesh is absent or has " + std::to_string(size) +
-          " values where " + std::to_string(wanted) + " are needed" + culprit);
+        "The array %1 of a 4-8 mesh is absent or has %2 values where %3 are needed%4",
+        array,
+        size,
+        wanted,
+        culprit);
     }
   };
   const std::size_t cells = in.triangles.size(), points = in.points.size();
@@ -203,8 +203,9 @@ void readPoints(const Leaves& in, Forest& out)
   out.feature = in.feature;
   for (std::size_t i = 0; i < in.points.size(); ++i)
   {
-    const auto wrong = [&](const char* array, const char* why)
-    { refuseLeaves(std::string(array) + " of point " + std::to_string(i) + " " + why); };
+    const auto wrong = [&](const char* array, const char* why) {
+      refuseLeaves({ "%1 of point %2 %3", array, i, why });
+    };
     Forest::Vertex& v = out.vertices.emplace_back();
     v.position = in.points[i];
     v.moved = in.moved[i];
@@ -261,7 +262,7 @@ void checkPointOrder(Forest& forest, const std::vector<std::uint8_t>& levels)
     const bool isFirst = i == 0 || forest.vertices[i - 1].parents[0] < 0;
     if (isFirst ? false : v.parents[0] < 0 || !(key(forest.vertices[i - 1]) < key(v)))
     {
-      refuseLeaves("Point " + std::to_string(i) + " is not where the order of levels and parents has it");
+      refuseLeaves({ "Point %1 is not where the order of levels and parents has it", i });
     }
   }
 }
@@ -319,8 +320,7 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
   const auto first = std::find_if(misfit.begin(), misfit.end(), [](int g) { return g >= 0; });
   if (first != misfit.end())
   {
-    refuseLeaves("Cells " + std::to_string(first - misfit.begin()) + " and " + std::to_string(*first) +
-                 " do not fit each other");
+    refuseLeaves({ "Cells %1 and %2 do not fit each other", first - misfit.begin(), *first });
   }
   context.checkpoint(0.8);
   std::vector<char> bad(forest.vertices.size(), 0);
@@ -339,7 +339,7 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
   const auto found = std::find(bad.begin(), bad.end(), 1);
   if (found != bad.end())
   {
-    refuseLeaves("The cells round point " + std::to_string(found - bad.begin()) + " do not fit each other");
+    refuseLeaves({ "The cells round point %1 do not fit each other", found - bad.begin() });
   }
 }
 

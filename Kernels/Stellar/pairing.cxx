@@ -339,8 +339,9 @@ Forest forestOfPairs(const Mesh& mesh)
     if (forest.faces[f].n[0] != (f ^ 1))
     {
       throw Error(Failure::BadMesh,
-        "Triangles " + std::to_string(f & ~1) + " and " + std::to_string(f | 1) +
-          " do not share the edge opposite their first corners.");
+        "Triangles %1 and %2 do not share the edge opposite their first corners.",
+        f & ~1,
+        f | 1);
     }
   }
   return forest;

@@ -173,8 +173,9 @@ SurfacePoint OriginalSurface::at(const SourcePlace& place) const
   if (place.root < 0 || place.root >= static_cast<int>(this->roots.size()))
   {
     throw Error(Failure::BadMesh,
-      "The source has no root " + std::to_string(place.root) +
-        " (field array SourceRoots); connect output 1 of the vtkOversketchStellarBase that made the mesh.");
+      "The source has no root %1 (field array SourceRoots); connect output 1 of the vtkOversketchStellarBase "
+      "that made the mesh.",
+      place.root);
   }
   const SourceRoot& root = this->roots[place.root];
   Vector3 weights = Vector3::Zero();
@@ -206,8 +207,9 @@ void refuse(bool bad, const std::string& what)
   if (bad)
   {
     throw Error(Failure::BadMesh,
-      what + " of the source; its records were changed or cut short. Pass output 1 of "
-             "vtkOversketchStellarBase as it is.");
+      "%1 of the source; its records were changed or cut short. Pass output 1 of vtkOversketchStellarBase as "
+      "it is.",
+      what);
   }
 }
 

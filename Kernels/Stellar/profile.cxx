@@ -13,9 +13,8 @@ Profile::Profile(double sharpness)
 {
   if (!(sharpness >= 0.0) || !std::isfinite(sharpness))
   {
-    std::ostringstream message;
-    message << "The sharpness is " << sharpness << "; it must be a number that is not negative.";
-    throw Error(Failure::BadStroke, message.str());
+    throw Error(
+      Failure::BadStroke, "The sharpness is %1; it must be a number that is not negative.", sharpness);
   }
 }
 

@@ -64,10 +64,10 @@ void checkFaceCount(double added, int maximumFaces)
     std::ostringstream about;
     about << std::setprecision(2) << added;
     throw Error(Failure::BadRegion,
-      "The refinement needs more than MaximumFaces (" + std::to_string(maximumFaces) +
-        ") new triangles, about " + about.str() +
-        " or more; ask for longer edges (TargetEdgeLength) or a larger tolerance, a smaller Radius or "
-        "MaxGeneration.");
+      "The refinement needs more than {maximumFaces} (%1) new triangles, about %2 or more; ask for longer "
+      "edges ({targetEdgeLength}) or a larger tolerance, a smaller {radius} or {maxGeneration}.",
+      maximumFaces,
+      about.str());
   }
 }
 
@@ -303,20 +303,19 @@ void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& option
     std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
   if (!all && !(options.radius > 0.0 && std::isfinite(options.radius)))
   {
-    throw Error(Failure::BadStroke, "The Radius must be a positive number.");
+    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
   }
   if (!std::isfinite(options.targetEdgeLength))
   {
-    throw Error(Failure::BadStroke, "The TargetEdgeLength must be a finite number.");
+    throw Error(Failure::BadStroke, "The {targetEdgeLength} must be a finite number.");
   }
   if (!(options.sharpness >= 0.0 && std::isfinite(options.sharpness)))
   {
-    throw Error(Failure::BadStroke, "The Sharpness must be zero or a positive number.");
+    throw Error(Failure::BadStroke, "The {sharpness} must be zero or a positive number.");
   }
   if (options.maximumGeneration < 0 || options.maximumGeneration > Forest::maximumDepth)
   {
-    throw Error(Failure::BadStroke,
-      "MaxGeneration must be between 0 and " + std::to_string(Forest::maximumDepth) + ".");
+    throw Error(Failure::BadStroke, "{maxGeneration} must be between 0 and %1.", Forest::maximumDepth);
   }
 }
 
@@ -366,9 +365,11 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
     if (!known || !(away <= edge || away <= *tolerance + edge))
     {
       throw Error(Failure::BadStroke,
-        "Point " + std::to_string(i) + " is snapped to curve " + std::to_string(v.curveId) +
-          " at arc length " + std::to_string(v.curveParam) +
-          ", where these curves have no such point; connect the curves that the mesh was snapped to.");
+        "Point %1 is snapped to curve %2 at arc length %3, where these curves have no such point; connect "
+        "the curves that the mesh was snapped to.",
+        i,
+        v.curveId,
+        v.curveParam);
     }
   }
 }
@@ -413,7 +414,7 @@ Forest refineToSource(const Forest& forest,
 {
   if (!(options.tolerance > 0.0 && std::isfinite(options.tolerance)))
   {
-    throw Error(Failure::BadMesh, "The Tolerance must be a positive number.");
+    throw Error(Failure::BadMesh, "The {tolerance} must be a positive number.");
   }
   Forest work = forest.roomyCopy();
   const MidpointRule rule = midpointRule(forest, nullptr, source);

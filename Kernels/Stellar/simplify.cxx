@@ -82,14 +82,14 @@ void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& op
   checkCurves(curves);
   if (!(options.tolerance >= 0.0 && std::isfinite(options.tolerance)))
   {
-    throw Error(Failure::BadMesh, "The Tolerance must be zero or a positive number.");
+    throw Error(Failure::BadMesh, "The {tolerance} must be zero or a positive number.");
   }
   for (const FeatureCurve& c : curves)
   {
     const double radius = c.radius.value_or(options.radius);
     if (!(radius > 0.0 && std::isfinite(radius)))
     {
-      throw Error(Failure::BadStroke, "The Radius must be a positive number.");
+      throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
     }
   }
 }

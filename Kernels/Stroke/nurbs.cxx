@@ -19,8 +19,10 @@ Nurbs::Nurbs(int count, bool closed)
   if (count < (closed ? 3 : 2))
   {
     throw Error(Failure::BadStroke,
-      std::string(closed ? "A closed" : "An open") + " curve needs " + (closed ? "3" : "2") +
-        " points, not " + std::to_string(count) + "; draw a longer one.");
+      "%1 curve needs %2 points, not %3; draw a longer one.",
+      closed ? "A closed" : "An open",
+      (closed ? "3" : "2"),
+      count);
   }
 }
 

@@ -11,12 +11,10 @@ namespace oversketch
 namespace
 {
 
-template <typename... Parts>
-[[noreturn]] void refuse(const Parts&... parts)
+template <typename... Arguments>
+[[noreturn]] void refuse(const char* text, const Arguments&... arguments)
 {
-  std::ostringstream message;
-  (message << ... << parts);
-  throw Error(Failure::BadStroke, message.str());
+  throw Error(Failure::BadStroke, text, arguments...);
 }
 
 } // namespace
@@ -41,16 +39,15 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
 {
   if (samples.size() < 2)
   {
-    refuse("it has ",
+    refuse("it has %1%2; at least 2 are needed: draw a longer stroke.",
       samples.size(),
-      samples.size() == 1 ? " sample" : " samples",
-      "; at least 2 are needed: draw a longer stroke.");
+      samples.size() == 1 ? " sample" : " samples");
   }
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
     if (!samples[i].allFinite())
     {
-      refuse("sample ", i, " is not finite; remove it or record the stroke again.");
+      refuse("sample %1 is not finite; remove it or record the stroke again.", i);
     }
   }
   const bool limited = rules.maximumLength > 0.0 && rules.viewport.minCoeff() > 0.0;
@@ -59,17 +56,13 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
     const Vector2 beside = (samples[i] - 0.5 * rules.viewport).cwiseAbs().cwiseQuotient(rules.viewport);
     if (!(beside.maxCoeff() <= 1.5))
     {
-      refuse("sample ",
+      refuse("sample %1 lies at (%2, %3) px, farther beside the viewport of %4 x %5 px than that is large: "
+             "remove it or record the stroke again.",
         i,
-        " lies at (",
         samples[i][0],
-        ", ",
         samples[i][1],
-        ") px, farther beside the viewport of ",
         rules.viewport[0],
-        " x ",
-        rules.viewport[1],
-        " px than that is large: remove it or record the stroke again.");
+        rules.viewport[1]);
     }
   }
   std::vector<int> kept{ 0 };
@@ -94,30 +87,25 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
   const double length = arcLengths(clean).back();
   if (!(length >= rules.minimumLength) || !(length > 0.0))
   {
-    refuse(
-      "it is ", length, " px long; at least ", rules.minimumLength, " px are needed: draw a longer stroke.");
+    refuse("it is %1 px long; at least %2 px are needed: draw a longer stroke.", length, rules.minimumLength);
   }
   if (!(length <= longestStroke))
   {
-    refuse("it is ", length, " px long; at most ", longestStroke, " px are taken: record the stroke again.");
+    refuse("it is %1 px long; at most %2 px are taken: record the stroke again.", length, longestStroke);
   }
   if (limited && length > rules.maximumLength * rules.viewport.norm())
   {
-    refuse("it is ",
+    refuse("it is %1 px long, %2 times the diagonal of its viewport; at most %3 times are taken: draw one "
+           "line along the outline that it is to replace, not a scribble.",
       std::lround(length),
-      " px long, ",
       std::lround(length / rules.viewport.norm()),
-      " times the diagonal of its viewport; at most ",
-      rules.maximumLength,
-      " times are taken: draw one line along the outline that it is to replace, not a scribble.");
+      rules.maximumLength);
   }
   if (rules.refuseClosed && isClosedStroke(clean, rules))
   {
-    refuse("it is closed: its ends are ",
+    refuse("it is closed: its ends are %1 px apart and it is %2 px long; draw an open stroke.",
       (clean.back() - clean.front()).norm(),
-      " px apart and it is ",
-      length,
-      " px long; draw an open stroke.");
+      length);
   }
   std::vector<Blend> places = uniformPlaces(clean, rules.spacing);
   for (Blend& place : places)

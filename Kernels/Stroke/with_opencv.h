@@ -41,7 +41,7 @@ void withOpenCV(const std::string& what, const Body& body)
   }
   catch (const cv::Exception& failure)
   {
-    throw Error(Failure::Unexpected, "OpenCV could not " + what + ": " + failure.err);
+    throw Error(Failure::Unexpected, "OpenCV could not %1: %2", what, failure.err);
   }
 }
 

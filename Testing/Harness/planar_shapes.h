@@ -92,7 +92,7 @@ struct UnitDrawing
     this->classes = classify(frame, this->strokes, 0.05, Context());
     for (std::size_t i = 0; i < this->strokes.size(); ++i)
     {
-      const std::string text = rejectionText(this->classes, static_cast<int>(i), this->strokes);
+      const Message text = rejectionText(this->classes, static_cast<int>(i), this->strokes);
       if (!text.empty())
       {
         throw Error(Failure::BadStroke, text);

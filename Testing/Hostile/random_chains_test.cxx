@@ -411,7 +411,7 @@ TEST(RandomChains, MeshesStaySoundAndSavedSessionsMakeTheSameBits)
       ASSERT_TRUE(evaluator.run(session, {}, outcomes));
       const Outcome& outcome = outcomes.back();
       SCOPED_TRACE(std::to_string(id) + " " + system);
-      EXPECT_EQ(outcome.failure.find("nexpected"), std::string::npos) << outcome.failure;
+      EXPECT_EQ(outcome.failure.text().find("nexpected"), std::string::npos) << outcome.failure;
       if (!outcome.failure.empty())
       {
         std::cout << "chain " << chain << " step " << id << " " << system << ": " << outcome.failure << "\n";

@@ -35,8 +35,8 @@
 #include "vtkWidgetEvent.h"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <regex>
 
 using namespace oversketch;
 
@@ -56,6 +56,7 @@ struct vtkOversketchDrawingWidget::Internals
   vtkNew<vtkOversketchClassify> classify;
   vtkNew<vtkOversketchTreatment> treatment;
   vtkNew<vtkPolyData> curves;
+  Message said;
   std::string text;
 };
 
@@ -175,6 +176,11 @@ vtkImageData* vtkOversketchDrawingWidget::GetPicture()
   return this->Inner->picture;
 }
 
+const Message& vtkOversketchDrawingWidget::GetSaid() const
+{
+  return this->Inner->said;
+}
+
 const char* vtkOversketchDrawingWidget::GetText()
 {
   return this->Inner->text.c_str();
@@ -252,7 +258,7 @@ bool vtkOversketchDrawingWidget::SetDrawing(vtkPolyData* drawing)
   }
   catch (const Error& error)
   {
-    this->Tell(error.what());
+    this->Tell(error.message());
     return false;
   }
   this->Publish();
@@ -313,9 +319,9 @@ void vtkOversketchDrawingWidget::Show()
 void vtkOversketchDrawingWidget::Classify()
 {
   Internals& inner = *this->Inner;
-  std::string text;
+  std::vector<Message> said;
   StepRunner::Listener listener;
-  listener.warning = [&](const std::string& message) { text += (text.empty() ? "" : "\n") + message; };
+  listener.warning = [&](const Message& message) { said.push_back(message); };
   inner.curves->Initialize();
   if (inner.strokes.count() > 0)
   {
@@ -335,37 +341,42 @@ void vtkOversketchDrawingWidget::Classify()
     }
     catch (const Error& error) // curves are those of the step before
     {
-      text = error.what();
+      said = { error.message() };
     }
   }
-  this->ShowFault(text);
+  const Message all = Message::joined(said, "\n");
+  this->ShowFault(all);
   this->GetDrawingRepresentation()->SetCurves(inner.curves);
-  this->Tell(text);
+  this->Tell(all);
 }
 
-// "Stroke 1 crosses itself near (50, 20)": what steps say of one.
-void vtkOversketchDrawingWidget::ShowFault(const std::string& text)
+// Shows the first stroke that the message names, and the first place.
+void vtkOversketchDrawingWidget::ShowFault(const Message& message)
 {
-  static const std::regex fault("^Stroke (\\d+)(?:[^(\\n]*\\bnear \\(([-+.\\deE]+), ([-+.\\deE]+)\\))?");
-  std::smatch said;
-  if (!std::regex_search(text, said, fault))
+  int stroke = -1;
+  bool hasPlace = false;
+  double place[2] = { 0.0, 0.0 };
+  for (const std::string& named : message.first().named())
   {
-    this->GetDrawingRepresentation()->SetFault(-1, nullptr);
-    return;
+    if (stroke < 0)
+    {
+      std::sscanf(named.c_str(), "Stroke %d", &stroke);
+    }
+    hasPlace = hasPlace || std::sscanf(named.c_str(), "(%lf, %lf)", &place[0], &place[1]) == 2;
   }
-  const bool hasPlace = said[2].matched;
-  const double place[2] = { hasPlace ? std::stod(said[2]) : 0.0, hasPlace ? std::stod(said[3]) : 0.0 };
-  this->GetDrawingRepresentation()->SetFault(std::stoi(said[1]), hasPlace ? place : nullptr);
+  this->GetDrawingRepresentation()->SetFault(stroke, stroke >= 0 && hasPlace ? place : nullptr);
 }
 
-void vtkOversketchDrawingWidget::Tell(const std::string& message)
+void vtkOversketchDrawingWidget::Tell(const Message& message)
 {
-  const bool isNew = message != this->Inner->text;
-  this->Inner->text = message;
-  this->GetDrawingRepresentation()->SetText(message.c_str());
+  std::string& text = this->Inner->text;
+  const bool isNew = message != this->Inner->said;
+  this->Inner->said = message;
+  text = message.text();
+  this->GetDrawingRepresentation()->SetText(text.c_str());
   if (isNew && !message.empty())
   {
-    this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(message.c_str()));
+    this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(text.c_str()));
   }
 }
 

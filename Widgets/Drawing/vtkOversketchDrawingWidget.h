@@ -37,6 +37,11 @@
 #include <memory>
 #include <string>
 
+namespace oversketch
+{
+class Message;
+}
+
 class vtkAlgorithmOutput;
 class vtkCallbackCommand;
 class vtkImageData;
@@ -124,9 +129,10 @@ public:
   void ResetView();
 
   /**
-   * What is to be said of the drawing, in words; empty where there is nothing.
+   * What is to be said of the drawing, in words and as data; empty where there is nothing.
    */
   const char* GetText();
+  const oversketch::Message& GetSaid() const;
 
   /**
    * The pen, for its stabilizer, pressure and samples of a tablet.
@@ -162,8 +168,8 @@ private:
   void Publish();
   void Show();
   void Classify();
-  void Tell(const std::string& message);
-  void ShowFault(const std::string& text);
+  void Tell(const oversketch::Message& message);
+  void ShowFault(const oversketch::Message& message);
   void Zoom(double factor);
 
   bool Magnetic = true, Arrange = false;

@@ -30,19 +30,19 @@ void EditParts::showAreas(vtkRenderer* renderer, bool show)
   }
 }
 
-std::pair<bool, std::string> ranTold(vtkAlgorithm* system)
+std::pair<bool, Message> ranTold(vtkAlgorithm* system)
 {
-  std::string said;
+  Message said;
   try
   {
     StepRunner::Listener listener;
-    listener.warning = [&](const std::string& warning) { said = warning; };
+    listener.warning = [&](const Message& warning) { said = warning; };
     StepRunner(system, listener).Run();
     return { true, said };
   }
   catch (const Error& error)
   {
-    return { false, error.what() };
+    return { false, error.message() };
   }
 }
 

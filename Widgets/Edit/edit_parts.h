@@ -50,7 +50,7 @@ struct EditParts
 };
 
 // Runs it. Whether that went well, and what it said, which is not printed.
-std::pair<bool, std::string> ranTold(vtkAlgorithm* system);
+std::pair<bool, Message> ranTold(vtkAlgorithm* system);
 
 } // namespace oversketch
 #endif

@@ -56,6 +56,7 @@ struct vtkOversketchEditWidget::Internals : EditParts
   vtkNew<vtkOversketchEdit> system;
   bool stale = false, acted = false;
   MeshKey fed, shown; // the region that the widgets have, and the same after the edit
+  Message said;
   std::string message;
   vtkWeakPointer<vtkRenderer> watched;
 
@@ -178,8 +179,15 @@ const char* vtkOversketchEditWidget::GetMessage()
   return this->Inner->message.c_str();
 }
 
-void vtkOversketchEditWidget::Say(const std::string& message)
+const Message& vtkOversketchEditWidget::GetSaid() const
 {
+  return this->Inner->said;
+}
+
+void vtkOversketchEditWidget::Say(const Message& said)
+{
+  this->Inner->said = said;
+  const std::string message = said.text();
   const bool isNew = message != this->Inner->message;
   this->Inner->message = message;
   this->GetEditRepresentation()->SetText(message.c_str());
@@ -282,7 +290,7 @@ void vtkOversketchEditWidget::Run()
 {
   Internals& inner = *this->Inner;
   inner.stale = inner.acted = false;
-  std::string message;
+  Message message;
   if (inner.isWhole())
   {
     this->Connect();
@@ -293,8 +301,7 @@ void vtkOversketchEditWidget::Run()
   else if (inner.region->HasReference())
   {
     this->Connect();
-    message =
-      inner.system->Prepare() ? std::string() : ranTold(inner.system).second; // it may be none already
+    message = inner.system->Prepare() ? Message() : ranTold(inner.system).second; // it may be none already
   }
   inner.output->ShallowCopy(inner.acted ? inner.system->GetOutput() : inner.base.Get());
   this->FeedWidgets();

@@ -36,6 +36,11 @@
 #include <memory>
 #include <string>
 
+namespace oversketch
+{
+class Message;
+}
+
 class vtkAlgorithmOutput;
 class vtkOversketchAreaSelectWidget;
 class vtkOversketchAxisHandleWidget;
@@ -149,6 +154,7 @@ public:
    */
   bool HasRegion() const;
   const char* GetMessage();
+  const oversketch::Message& GetSaid() const; // as data
   ///@}
 
   ///@{
@@ -192,7 +198,7 @@ private:
   void FeedWidgets();
   void Begin();
   void StopWatching();
-  void Say(const std::string& message);
+  void Say(const oversketch::Message& message);
 
   int Mode = Region;
   bool RegionInAllModes = false, ShowRegion = false, Previewing = false;

@@ -153,7 +153,7 @@ bool vtkOversketchProfilePlaneWidget::Cut()
     try
     {
       StepRunner::Listener listener;
-      listener.warning = [&](const std::string& warning) { message = warning; };
+      listener.warning = [&](const Message& warning) { message = warning.text(); };
       StepRunner(inner.planes, listener).Run();
       planes = inner.planes->GetOutput();
       StepRunner(inner.section, listener).Run();

@@ -104,7 +104,7 @@ void LiveStroke::run()
   try
   {
     StepRunner::Listener listener;
-    listener.warning = [](const std::string& message) { vtkGenericWarningMacro(<< message); };
+    listener.warning = [](const oversketch::Message& message) { vtkGenericWarningMacro(<< message.text()); };
     StepRunner(this->System, listener).Run();
   }
   catch (const Error& error)

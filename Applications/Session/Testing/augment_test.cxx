@@ -123,7 +123,7 @@ TEST(AugmentSession, BothKindsStandInOneHistoryAndInItsFile)
   const auto other = [](Step& step) { step.values["AdjustNormals"] = true; };
   session.nodes[0] = changed(session.nodes[0], other);
   ASSERT_TRUE(evaluator.run(session, {}, outcomes));
-  EXPECT_EQ(outcomes[1].failure + outcomes[3].failure, "");
+  EXPECT_EQ(outcomes[1].failure.text() + outcomes[3].failure.text(), "");
   EXPECT_NE(digestOf(outcomes.back().mesh), digest);
   Session fresh = dogChain();
   fresh.nodes[0] = changed(fresh.nodes[0], other);
@@ -188,7 +188,7 @@ TEST(AugmentSession, ATerrainBeginsASessionAndKeepsItsHeights)
   session.nodes = { first,
     augmentation(2, line, { { "Radius", 1.5 }, { "Height", 1e-9 }, { "Simplify", false } }) };
   const auto outcomes = outcomesOf(session);
-  ASSERT_EQ(outcomes[0].failure + outcomes[1].failure, "");
+  ASSERT_EQ(outcomes[0].failure.text() + outcomes[1].failure.text(), "");
   ASSERT_EQ(outcomes[0].mesh->GetNumberOfPolys(), 2 * 8 * 8);
   vtkPolyData* mesh = outcomes[1].mesh;
   ASSERT_GT(mesh->GetNumberOfPoints(), 200);

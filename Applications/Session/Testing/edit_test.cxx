@@ -92,7 +92,7 @@ TEST(EditSession, AStepTakesTheCurvesOfAnEarlierOne)
   Evaluator evaluator;
   std::vector<Outcome> outcomes;
   ASSERT_TRUE(evaluator.run(session, {}, outcomes));
-  EXPECT_EQ(outcomes[0].failure + outcomes[1].failure, "");
+  EXPECT_EQ(outcomes[0].failure.text() + outcomes[1].failure.text(), "");
   EXPECT_EQ(evaluator.runs(), 2u);
   const std::string pulled = digestOf(outcomes[0].mesh), turned = digestOf(outcomes[1].mesh);
   EXPECT_NE(pulled, turned);
@@ -239,7 +239,7 @@ TEST(EditSession, WhatAHandHasMadeOfAStepIsNotMadeAgain)
   session.backend = 2;
   session.nodes = { drawnEdit(1, session.mesh.Get(), {}), furtherEdit(2, 1, {}) };
   const std::vector<Outcome> made = outcomesOf(session);
-  ASSERT_EQ(made[0].failure + made[1].failure, "");
+  ASSERT_EQ(made[0].failure.text() + made[1].failure.text(), "");
   const SystemRow& row = *findSystem("Edit");
   const auto hand = row.make();
   const Step& step = *session.nodes[0].step;

@@ -273,8 +273,8 @@ TEST(Mirror, AFailureOnTheOtherSideNamesItAndIsTheSteps)
   const auto hand = shippedModel("hand");
   const Mirrored behind(hand, shippedStroke("hand_bent_thumb"), { 2, 4.5 }, automatic);
   EXPECT_TRUE(behind.done);
-  EXPECT_EQ(behind.outcome.failure.find("mirrored to z > 4.5: "), 0u) << behind.outcome.failure;
-  EXPECT_GT(behind.outcome.failure.size(), 30u);
+  EXPECT_EQ(behind.outcome.failure.text().find("mirrored to z > 4.5: "), 0u) << behind.outcome.failure;
+  EXPECT_GT(behind.outcome.failure.text().size(), 30u);
   EXPECT_EQ(behind.outcome.mesh, hand) << "what the side did that was drawn on is gone, too";
   std::cout << behind.outcome.failure << '\n';
 }
@@ -409,22 +409,19 @@ TEST(Mirror, WarningsAreSaidOnceForEachSide)
   }
   comb.emplace_back(0.42, 0.79, 0.0);
   const auto stroke = drawn(comb, orthographicView({ 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 }, 150.0));
-  std::vector<std::string> said;
-  Listener listener;
-  listener.warning = [&](const std::string& message) { said.push_back(message); };
-  const Mirrored partners(bear, stroke, { 0, 0.0 }, off, true, listener, true);
+  const Mirrored partners(bear, stroke, { 0, 0.0 }, off, true, {}, true);
   ASSERT_EQ(partners.outcome.failure, "");
-  ASSERT_EQ(said.size(), 1u);
-  const std::string remark = said[0];
-  said.clear();
-  const Mirrored runs(bear, stroke, { 0, 0.0 }, off, false, listener, true);
-  EXPECT_EQ(said, (std::vector<std::string>{ remark, "mirrored to x < 0: " + remark }));
-  said.clear();
+  ASSERT_EQ(partners.outcome.remarks.size(), 1u);
+  const std::string remark = partners.outcome.remarks[0].text();
+  const Mirrored runs(bear, stroke, { 0, 0.0 }, off, false, {}, true);
+  ASSERT_EQ(runs.outcome.remarks.size(), 2u);
+  EXPECT_EQ(runs.outcome.remarks[0].text(), remark);
+  EXPECT_EQ(runs.outcome.remarks[1].text(), "mirrored to x < 0: " + remark);
   vtkNew<vtkPolyData> crooked; // in one point, which moves
   crooked->DeepCopy(bear);
   const vtkIdType tip = crooked->FindPoint(0.95, 0.74, 0.07);
   crooked->GetPoints()->SetPoint(tip, Vector3(at(bear, tip) + Vector3(0.002, 0.001, 0.0)).data());
-  const Mirrored tried(crooked, stroke, { 0, 0.0 }, off, true, listener, true);
+  const Mirrored tried(crooked, stroke, { 0, 0.0 }, off, true, {}, true);
   ASSERT_EQ(tried.outcome.failure, "");
-  EXPECT_EQ(said.size(), 2u) << "what was only tried is not spoken of";
+  EXPECT_EQ(tried.outcome.remarks.size(), 2u) << "what was only tried is not spoken of";
 }

@@ -234,7 +234,7 @@ TEST(Session, AFailedStrokeIsPassedByAndTheRestGoesOn)
   session.nodes.insert(session.nodes.begin(), nodeOf(elsewhereStroke(strokeOf(session.nodes[0])), "dot"));
   Evaluator evaluator;
   const auto outcomes = outcomesOf(evaluator, session);
-  EXPECT_NE(outcomes[0].failure.find("px long"), std::string::npos) << outcomes[0].failure;
+  EXPECT_NE(outcomes[0].failure.text().find("px long"), std::string::npos) << outcomes[0].failure;
   EXPECT_TRUE(identical(outcomes[0].mesh, session.mesh));
   EXPECT_FALSE(outcomes[0].section.has_value());
   Evaluator cold;

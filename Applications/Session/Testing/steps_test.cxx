@@ -35,7 +35,7 @@ double topOf(vtkPolyData* mesh)
 std::string failureOf(Session session, std::size_t node, const std::function<void(Step&)>& change)
 {
   session.nodes[node] = changed(session.nodes[node], change);
-  return Runs().of(session)[node].failure;
+  return Runs().of(session)[node].failure.text();
 }
 
 } // namespace
@@ -44,7 +44,7 @@ TEST(Steps, TheFirstMayMakeTheMeshAndTheNextTakesWhatItPutsOut)
 {
   Runs runs;
   const auto outcomes = runs.of(liftedBall());
-  ASSERT_EQ(outcomes[0].failure + outcomes[1].failure, "");
+  ASSERT_EQ(outcomes[0].failure.text() + outcomes[1].failure.text(), "");
   const double ball = topOf(outcomes[0].mesh);
   EXPECT_DOUBLE_EQ(topOf(outcomes[1].mesh), ball + 1.0 + 5.0 - 3.0);
   EXPECT_EQ(outcomes[0].outputs.count(1), 1u);
@@ -99,19 +99,19 @@ TEST(Steps, WhatAReferenceMissesIsToldOfTheStepThatRefers)
   off.mesh = toPolyData(icosphere(1));
   off.nodes[0].on = false;
   Runs runs;
-  EXPECT_NE(runs.of(off)[1].failure.find("'Against' is of 'Blow1', which is off"), std::string::npos);
+  EXPECT_NE(runs.of(off)[1].failure.text().find("'Against' is of 'Blow1', which is off"), std::string::npos);
   EXPECT_EQ(runs.evaluator.runs(), 0u);
   Session failed = good;
   failed.mesh = off.mesh;
   failed.nodes[0] = changed(failed.nodes[0], [](Step& step) { step.inputs.clear(); });
   const auto outcomes = Runs().of(failed);
-  EXPECT_NE(outcomes[0].failure.find("'Drawing' is missing"), std::string::npos);
-  EXPECT_NE(outcomes[1].failure.find("which did nothing"), std::string::npos);
+  EXPECT_NE(outcomes[0].failure.text().find("'Drawing' is missing"), std::string::npos);
+  EXPECT_NE(outcomes[1].failure.text().find("which did nothing"), std::string::npos);
   EXPECT_TRUE(identical(outcomes[1].mesh, off.mesh)) << "the mesh passes by";
   Session turned = good;
   std::swap(turned.nodes[0], turned.nodes[1]);
   turned.mesh = off.mesh;
-  EXPECT_NE(Runs().of(turned)[0].failure.find("comes after it"), std::string::npos);
+  EXPECT_NE(Runs().of(turned)[0].failure.text().find("comes after it"), std::string::npos);
   EXPECT_EQ(Runs().of(turned)[1].failure, "") << "the rest goes on";
 }
 
@@ -133,7 +133,7 @@ TEST(Steps, WhatNoSystemOfTheListCanRunIsAFailureOfItsOwn)
   Session without;
   without.nodes = { good.nodes[1] };
   const auto outcomes = Runs().of(without);
-  EXPECT_NE(outcomes[0].failure.find("no mesh yet"), std::string::npos);
+  EXPECT_NE(outcomes[0].failure.text().find("no mesh yet"), std::string::npos);
   EXPECT_EQ(resultOf(without, outcomes), nullptr);
 }
 
@@ -167,7 +167,7 @@ TEST(Steps, APictureIsGivenByItsBytes)
     [](Step& step) {
       step.inputs["Picture"] = Image{ "torn.png", std::make_shared<const std::string>("\x89PNG") };
     });
-  EXPECT_NE(Runs().of(session)[0].failure.find("'torn.png', which cannot be read"), std::string::npos);
+  EXPECT_NE(Runs().of(session)[0].failure.text().find("'torn.png', which cannot be read"), std::string::npos);
 }
 
 TEST(Steps, ANewIdIsThatOfNoStepThatWasOrIsReferredTo)

@@ -54,14 +54,14 @@ struct BadHands : Scene
   {
     const auto& nodes = this->document->result().nodes;
     ASSERT_EQ(nodes.size(), 1u);
-    EXPECT_NE(nodes[0].failure.find(words), std::string::npos) << nodes[0].failure;
+    EXPECT_NE(nodes[0].failure.text().find(words), std::string::npos) << nodes[0].failure;
     EXPECT_EQ(this->document->digest(), before);
     const QString advice = this->window.findChild<QLabel*>("advice")->text();
     EXPECT_TRUE(advice.contains("did nothing")) << qPrintable(advice);
     expectPlain(advice);
     // A button does what is asked for; the next pen-down ends what was said.
     auto* anyway = this->window.findChild<QPushButton*>("anyway");
-    const bool isAsked = nodes[0].failure.find("AllowTorn") != std::string::npos;
+    const bool isAsked = nodes[0].failure.text().find("AllowTorn") != std::string::npos;
     EXPECT_EQ(anyway->isVisible(), isAsked) << nodes[0].failure;
     if (isAsked)
     {
@@ -112,38 +112,52 @@ TEST(BadHand, IsToldHowFarFromTheModelALineIsAndThatAResultTears)
 // What filters say by the names of their properties.
 TEST(BadHand, IsToldNoNameOfTheCode)
 {
-  for (const char* said :
-    {
-      "The stroke is 91 px from any outline, more than MaximumGap = 60 px. Draw it along the outline that it "
-      "is to replace.",
-      "The stroke would tear the mesh: by 9 times. Draw it nearer to the outline that it is to replace, or, "
-      "if "
-      "that is meant, turn AllowTorn on.",
-      "Only 2 sections fit the stroke; there is no number 3. Lower Candidate.",
-      "Fewer than two control points of the section lie on one layer of the mesh; turn SingleLayer off or "
-      "draw "
-      "along another outline.",
-      "The curve under the sketch takes a step of 2.5 at sample 7, longer than 1.2 (MaximumStep): between "
-      "the "
-      "stroke's ends there is no surface for it to follow.",
-      "The refinement needs more than MaximumFaces (10000000) new triangles, about 3e+08 or more; ask for "
-      "longer edges (TargetEdgeLength).",
-    })
+  using oversketch::Message;
+  const Message torn(
+    "The stroke would tear the mesh: %1. Draw it nearer to the outline that it is to replace, of one "
+    "limb alone, or, if that is meant, {AllowTorn on}.",
+    Message("edges are stretched or squeezed %1 times", 9));
+  const Message step(
+    "The curve under the sketch takes a step of %1 at sample %2, longer than %3 ({maximumStep}): "
+    "between the stroke's ends there is no surface for it to follow. An outline drawn anew is for "
+    "bumps and dents: draw nearer to the outline of one part, or pull a limb by one-stroke (or take "
+    "the projection Path).",
+    2.5,
+    7,
+    1.2);
+  const Message beyond("Only %1 sections fit the stroke; there is no number %2. Lower {candidate}.", 2, 3);
+  for (const Message& said :
+    { torn,
+      step,
+      beyond,
+      Message(
+        "The stroke is %1 px from any outline, more than {maximumGap} = %2 px. Draw it along the outline "
+        "that it is to replace.",
+        91,
+        60),
+      Message(
+        "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} or "
+        "draw along another outline."),
+      Message(
+        "The refinement needs more than {maximumFaces} (%1) new triangles, about %2 or more; ask for longer "
+        "edges ({targetEdgeLength}) or a larger tolerance, a smaller {radius} or {maxGeneration}.",
+        10000000,
+        "3e+08") })
   {
     expectPlain(plainWords(said));
   }
-  EXPECT_TRUE(plainWords("there is no number 3. Lower Candidate.").endsWith("Lower Other outline."));
-  EXPECT_TRUE(plainWords("turn AllowTorn on.").endsWith("tick Even if it tears."));
-  EXPECT_TRUE(plainWords("The curve under the sketch takes a step of 2.5 at sample 7, longer than 1.2 "
-                         "(MaximumStep): between the stroke's ends there is no surface for it to follow.")
-                .endsWith("or pull a limb with the tool Outline (D)."))
+  EXPECT_EQ(plainWords(torn), "it would spoil the model: edges are stretched or squeezed 9 times.");
+  EXPECT_TRUE(plainWords(beyond).endsWith("Lower Other outline."));
+  EXPECT_TRUE(plainWords("{AllowTorn on}.").endsWith("tick Even if it tears."));
+  EXPECT_TRUE(plainWords(step).endsWith("or pull a limb with the tool Outline (D)."))
     << "a limb is not for this tool";
-  EXPECT_EQ(askedFor("if that is meant, turn AllowTorn on."), "AllowTorn");
-  EXPECT_EQ(askedFor("Lower Candidate."), "");
-  EXPECT_EQ(briefWords(
-              "The result is not as drawn: the outline misses the stroke by 9 px in the mean and by 36 px at "
-              "worst; what lies up to 82 px beside the stroke moved too, by up to 4 px; 104 edges are folded "
-              "over."),
+  EXPECT_EQ(askedFor(torn), "AllowTorn");
+  EXPECT_EQ(askedFor(beyond), "");
+  EXPECT_EQ(briefWords({ "The result is not as drawn: %1.",
+              std::vector<Message>{
+                { "the outline misses the stroke by %1 px in the mean and by %2 px at worst", 9, 36 },
+                { "what lies up to %1 px beside the stroke moved too, by up to %2 px", 82, 4 },
+                { "%1 edges are folded over", 104 } } }),
     "Not as drawn: the outline is beside the line, parts beside the line moved, too, some of it is folded.");
 }
 

@@ -306,7 +306,7 @@ TEST(Drawing, ALineIsDrawnAnewWhole)
   EXPECT_EQ(sheet.failure(), "");
   EXPECT_EQ(eulerOf(sheet.mesh()), 0);
   EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 2);
-  EXPECT_EQ(sheet.pad->text(), "");
+  EXPECT_EQ(sheet.pad->said().text(), "");
   sheet.line({ { 280, 180 }, { 290, 190 }, { 300, 180 } });
   EXPECT_EQ(sheet.strokes().size(), 3u) << "the next line still replaces it";
 }
@@ -333,7 +333,7 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   vtkPolyData* shown = sheet.view->mesh();
   // A line in the void: told in the picture and below, the model is the same.
   sheet.line({ { 350, 40 }, { 370, 60 }, { 380, 90 } });
-  EXPECT_FALSE(sheet.pad->text().isEmpty());
+  EXPECT_FALSE(sheet.pad->said().empty());
   EXPECT_TRUE(sheet.advice->text().contains("Ctrl+Z")) << sheet.advice->text().toStdString();
   EXPECT_EQ(sheet.failure(), "");
   EXPECT_EQ(sheet.document->digest(), made);
@@ -346,7 +346,7 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   EXPECT_TRUE(
     sheet.advice->text().startsWith("Line 1 crosses line 2") && sheet.advice->text().contains("Ctrl+Z"))
     << sheet.advice->text().toStdString();
-  EXPECT_NE(sheet.failure().find("turn Arrange on"), std::string::npos) << sheet.failure();
+  EXPECT_EQ(askedFor(sheet.failure()), "Arrange");
   EXPECT_TRUE(plainWords(sheet.failure()).contains("tick Strokes may cross")); // as the form calls it
   // It is orange, with a ring where it is wrong, and a button lets it be.
   const auto isOrange = [](const QColor& c)

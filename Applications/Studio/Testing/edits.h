@@ -169,7 +169,7 @@ struct Edits : Scene
     std::string all;
     for (const auto& node : this->document->result().nodes)
     {
-      all += node.failure;
+      all += node.failure.text();
     }
     return all;
   }

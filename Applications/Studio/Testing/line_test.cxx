@@ -89,7 +89,7 @@ struct LineScene : Scene
     std::string all;
     for (const auto& node : this->document->result().nodes)
     {
-      all += node.failure;
+      all += node.failure.text();
     }
     return all;
   }

@@ -324,7 +324,7 @@ TEST(Reach, TheNextPlaceAndTheReachAreAKeyAway)
     press(Qt::Key_F3);
     ASSERT_LE(++places, 30);
     EXPECT_EQ(valueOf("Candidate"), Value(places));
-  } while (scene.document->result().nodes[0].failure.find("no number") == std::string::npos);
+  } while (scene.document->result().nodes[0].failure.text().find("no number") == std::string::npos);
   press(Qt::Key_F3);
   EXPECT_EQ(valueOf("Candidate"), Value(1));
   EXPECT_EQ(scene.document->digest(), first);

@@ -72,7 +72,9 @@ struct Rows : Scene
     QTest::keyClick(this->view, Qt::Key_Return);
     this->stroke(this->outermost(-1, 0), M_PI / 2.0);
     ASSERT_EQ(this->nodes().size(), 2u);
-    ASSERT_EQ(this->document->result().nodes[0].failure + this->document->result().nodes[1].failure, "");
+    ASSERT_EQ(
+      this->document->result().nodes[0].failure.text() + this->document->result().nodes[1].failure.text(),
+      "");
     this->pictures();
   }
   void pictures()

@@ -139,7 +139,7 @@ struct Sheet : Scene
   vtkPolyData* mesh() { return this->document->result().mesh; }
   const Step& step(int node) { return *this->session().nodes[indexOf(node)].step; }
   std::vector<DrawnStroke> strokes() { return strokesOf(linesOf(this->step(0), "Strokes")); }
-  std::string failure(int node = 0) { return this->document->result().nodes[indexOf(node)].failure; }
+  oversketch::Message failure(int node = 0) { return this->document->result().nodes[indexOf(node)].failure; }
   QString row(int at) { return this->list->item(at)->text().trimmed(); }
   // A line beside the end of the leg, further down, drawn on the model by system A's tool.
   void pullTheLeg()

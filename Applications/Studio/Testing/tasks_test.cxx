@@ -168,7 +168,7 @@ struct Newcomer : Scene
     std::string all;
     for (const auto& node : this->document->result().nodes)
     {
-      all += node.failure;
+      all += node.failure.text();
     }
     return all;
   }

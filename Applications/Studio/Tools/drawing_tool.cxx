@@ -11,6 +11,8 @@
 
 #include "vtkOversketchInteractorStyle.h"
 
+#include "Raster/classify.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -19,11 +21,11 @@
 
 #include <QAction>
 #include <QCheckBox>
-#include <QRegularExpression>
 #include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace oversketch_studio
@@ -161,9 +163,8 @@ QString DrawingTool::need() const
   return {};
 }
 
-QString DrawingTool::inLines(const QString& text) const
+QString DrawingTool::inLines(const oversketch::Message& message) const
 {
-  static const QRegularExpression number("([Ss])troke (\\d+)");
   QVector<int> lines; // of those that are on
   for (std::size_t i = 0; i < this->Strokes.size(); ++i)
   {
@@ -172,21 +173,17 @@ QString DrawingTool::inLines(const QString& text) const
       lines << static_cast<int>(i) + 1;
     }
   }
-  QString words;
-  int from = 0;
-  for (auto it = number.globalMatch(text); it.hasNext();)
-  {
-    const QRegularExpressionMatch match = it.next();
-    const QString line = match.captured(1) == "S" ? tr("Line %1") : tr("line %1");
-    words += text.mid(from, match.capturedStart() - from) + line.arg(lines.value(match.captured(2).toInt()));
-    from = match.capturedEnd();
-  }
-  QStringList translated;
-  for (const QString& one : (words + text.mid(from)).split('\n'))
-  {
-    translated << plainWords(one.toStdString());
-  }
-  return translated.join('\n');
+  return plainWords(message,
+    [&](const std::string& named) -> QString
+    {
+      const std::string what = named.substr(0, named.find(' '));
+      if (what != "Stroke" && what != "stroke")
+      {
+        return {};
+      }
+      const int line = lines.value(std::atoi(named.c_str() + what.size()));
+      return (what == "Stroke" ? tr("Line %1") : tr("line %1")).arg(line);
+    });
 }
 
 // All but a remark on a model that has been made is the tool's to say.
@@ -196,19 +193,19 @@ bool DrawingTool::judges() const
   const auto& states = this->OpenDocument->result().nodes;
   const bool isMade = at >= 0 && this->Pad && indexOf(at) < states.size() && this->Redrawn < 0 &&
                       states[indexOf(at)].failure.empty() && !states[indexOf(at)].remark.empty();
-  return !isMade || !this->need().isEmpty() || !this->Pad->text().isEmpty();
+  return !isMade || !this->need().isEmpty() || !this->Pad->said().empty();
 }
 
 bool DrawingTool::isCrossing() const
 {
-  static const QRegularExpression crosses("^(?:(?!\\. ).)*\\bcrosses\\b");
-  return !this->Arranged && this->Pad && crosses.match(this->Pad->text()).hasMatch();
+  const std::string said = this->Pad ? this->Pad->said().first().id() : "";
+  return !this->Arranged && (said == oversketch::crossesText || said == oversketch::crossesItselfText);
 }
 
 std::string DrawingTool::asked() const
 {
-  const char* const crossing = "turn Arrange on"; // as a message asks for it
-  return this->isCrossing() ? crossing : std::string();
+  const char* const crossing = "Arrange";
+  return this->isCrossing() ? crossing : "";
 }
 
 QString DrawingTool::advice(const Situation&) const
@@ -228,9 +225,7 @@ QString DrawingTool::advice(const Situation&) const
     return lacks;
   }
   const auto& states = this->OpenDocument->result().nodes;
-  // The first sentence; the picture has all of them.
-  const QString all = this->inLines(this->Pad->text().section('\n', 0, 0)), first = all.section(". ", 0, 0);
-  const QString wrong = first == all ? all : first + '.';
+  const QString wrong = this->inLines(this->Pad->said().first()); // the picture has all of them
   if (!wrong.isEmpty())
   {
     return this->isCrossing()
@@ -239,8 +234,7 @@ QString DrawingTool::advice(const Situation&) const
   }
   if (indexOf(at) < states.size() && !states[indexOf(at)].failure.empty() && !this->OpenDocument->isBusy())
   {
-    return tr("The last model stays: %1")
-      .arg(this->inLines(QString::fromStdString(states[indexOf(at)].failure)));
+    return tr("The last model stays: %1").arg(this->inLines(states[indexOf(at)].failure));
   }
   if (this->OpenDocument->session().nodes[indexOf(at)].step->part)
   {
@@ -440,11 +434,11 @@ void DrawingTool::follow()
     this->Redrawn = -1;
     this->Strokes = strokesOf(drawing);
     this->Pad->setDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
-    this->Pad->showText(this->inLines(this->Pad->text()));
+    this->Pad->showText(this->inLines(this->Pad->said()));
   }
   else if (judgedAnew)
   {
-    this->Pad->showText(this->inLines(this->Pad->text()));
+    this->Pad->showText(this->inLines(this->Pad->said()));
   }
 }
 
@@ -518,7 +512,7 @@ void DrawingTool::take()
   {
     this->Strokes = next;
     this->Shown = std::get<Lines>(step.inputs.at(strokesInput)).identity();
-    this->Pad->showText(this->inLines(this->Pad->text()));
+    this->Pad->showText(this->inLines(this->Pad->said()));
   }
   emit this->edited(at, step);
 }

@@ -74,7 +74,7 @@ private:
   void take();
   QString need() const; // what the drawing lacks, in words
   // What a filter says of strokes, counted from 0 where they are on, in words of the list's lines.
-  QString inLines(const QString& text) const;
+  QString inLines(const oversketch::Message& message) const;
 
   Viewport* View;
   const Document* OpenDocument;

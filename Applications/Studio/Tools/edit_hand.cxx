@@ -481,7 +481,7 @@ void EditHand::publish()
 {
   const vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
   const bool isWhole = region->HasReference() && region->HasBoundary();
-  QString said = QString::fromUtf8(this->Widget->GetMessage());
+  QString said = wordsOfEdit(this->Widget->GetSaid(), region->HasBoundary());
   if (const double length =
         pixelsOf(this->Widget->GetRegionWidget()->GetReference()) / this->View->devicePixelRatioF();
       !isWhole && said.isEmpty() && length < shortestLine)
@@ -543,10 +543,9 @@ void EditHand::refuse(const QString& why)
 {
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;
   this->load(Work(this->Loaded), true);
-  const QString words = inWords(plainWords(why.toStdString()).toStdString(), isRing);
-  this->Message = !isNew   ? tr("%1. It is taken back: do it another way.").arg(words)
-                  : isRing ? tr("%1. It is taken back: draw a ring round the whole line.").arg(words)
-                           : tr("%1. It is taken back: draw another of 10 px or more.").arg(words);
+  this->Message = !isNew   ? tr("%1 It is taken back: do it another way.").arg(why)
+                  : isRing ? tr("%1 It is taken back: draw a ring round the whole line.").arg(why)
+                           : tr("%1 It is taken back: draw another of 10 px or more.").arg(why);
   this->Widget->GetEditRepresentation()->SetText(this->Message.toUtf8().constData());
   this->applyMode();
   this->View->renderSoon();

@@ -62,7 +62,7 @@ void EditHand::load(const Work& work, bool again)
   this->Message.clear();
   if (work.isInHistory && !this->hasRegion())
   {
-    this->Message = QString::fromUtf8(this->Widget->GetMessage());
+    this->Message = wordsOfEdit(this->Widget->GetSaid(), true);
   }
 }
 

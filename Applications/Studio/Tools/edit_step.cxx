@@ -1,5 +1,7 @@
 #include "edit_step.h"
 
+#include "message_words.h"
+
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -8,11 +10,11 @@
 #include "vtkPointData.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace oversketch_studio
 {
@@ -70,25 +72,30 @@ std::string editText(const Step& step, const char* property)
   return std::get<std::string>(valueOf(step, *findParameter(editRow(), property)));
 }
 
-QString inWords(const std::string& said, bool isRing)
+QString wordsOfEdit(const oversketch::Message& message, bool isRing)
 {
-  QString text = QString::fromStdString(said);
   const QString line = QCoreApplication::translate("EditHand", "the line"),
                 ring = QCoreApplication::translate("EditHand", "the ring"),
                 beginsLine = QCoreApplication::translate("EditHand", "The line"),
                 beginsRing = QCoreApplication::translate("EditHand", "The ring");
-  for (const char* either : saidOfEither)
-  {
-    text.replace(either, isRing ? beginsRing : beginsLine);
-  }
-  text.replace(saidOfLine[0], beginsLine).replace(saidOfLine[1], line);
-  text.replace(saidOfLine[2], QCoreApplication::translate("EditHand", "line"));
-  for (const char* of : saidOfRing)
-  {
-    text.replace(of, ring);
-  }
-  static const QRegularExpression rest(R"((: its [^;]*)?;.*$|\.$)");
-  return text.remove(rest);
+  const std::map<std::string, QString> names{ { "the reference curve", line },
+    { "The reference curve", beginsLine },
+    { "the boundary curve", ring },
+    { "The boundary curve", beginsRing },
+    { "the boundary", ring },
+    { "The boundary", beginsRing },
+    { "Stroke 0 of the reference", beginsLine },
+    { "Curve 0 of the reference", beginsLine },
+    { "Stroke 0 of the boundary", beginsRing },
+    { "Curve 0 of the boundary", beginsRing },
+    { "Stroke 0", isRing ? beginsRing : beginsLine },
+    { "Curve 0", isRing ? beginsRing : beginsLine } };
+  return plainWords(message,
+    [&](const std::string& named)
+    {
+      const auto known = names.find(named);
+      return known == names.end() ? QString() : known->second;
+    });
 }
 
 double pixelsOf(vtkPolyData* strokes)

@@ -5,6 +5,8 @@
 #include "session.h"
 #include "systems.h"
 
+#include "Mesh/message.h"
+
 #include <QString>
 
 #include <string>
@@ -25,18 +27,9 @@ constexpr const char* levelsValue = "Levels";
 constexpr const char* placeValue = "ProfileAt";
 constexpr const char* ruleValue = "Rule";
 
-// What the system calls the curves that it speaks of.
-constexpr const char* saidOfEither[] = { "Stroke 0 of the reference",
-  "Curve 0 of the reference",
-  "Stroke 0 of the boundary",
-  "Curve 0 of the boundary",
-  "Stroke 0",
-  "Curve 0" };
-constexpr const char* saidOfLine[] = { "The reference curve", "the reference curve", "reference curve" };
-constexpr const char* saidOfRing[] = { "the boundary curve", "the boundary" };
-// What it says of them, in words of the hand's, without a stop: numbers of vertices and its own remedy are
-// left out, as there is one line for it.
-QString inWords(const std::string& said, bool isRing);
+// What the system says, with the line and the ring as the hand calls them; isRing: which of both a stroke is
+// that it does not say of.
+QString wordsOfEdit(const oversketch::Message& message, bool isRing);
 
 const oversketch_session::SystemRow& editRow();
 

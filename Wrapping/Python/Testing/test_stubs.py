@@ -37,6 +37,8 @@ def declared(header):
     comment = None
     for part in re.finditer(r"/\*\*(.*?)\*/|^  (?:static |virtual )?[\w:<>*& ]*?[ *&](\w+)\([^)]*\)|^  vtk(\w+)Macro\(\s*(\w+)",
                             body, re.M | re.S):
+        if "oversketch::" in part.group(0) and part.group(2):  # a type of the kernels, which Python has not
+            continue
         documentation, method, macro, name = part.groups()
         if documentation:
             comment = " ".join(documentation.replace("*", " ").split())
