@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <functional>
-#include <sstream>
 #include <unordered_map>
 
 namespace oversketch

@@ -20,7 +20,6 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 namespace oversketch
 {
@@ -139,17 +138,12 @@ std::vector<Vector3> PointsOf(vtkPolyData* polyData)
   }
   if (bad < polyData->GetNumberOfPoints())
   {
-    std::ostringstream message;
-    if (points[static_cast<std::size_t>(bad)].allFinite())
-    {
-      message << "Point " << bad << " of the mesh lies beyond " << LargestCoordinate
-              << ", the largest coordinate that is taken; scale the mesh.";
-    }
-    else
-    {
-      message << "Point " << bad << " of the mesh is not finite; repair or remove it.";
-    }
-    throw Error(Failure::BadMesh, message.str());
+    throw Error(Failure::BadMesh,
+      points[static_cast<std::size_t>(bad)].allFinite()
+        ? "Point %1 of the mesh lies beyond %2, the largest coordinate that is taken; scale the mesh."
+        : "Point %1 of the mesh is not finite; repair or remove it.",
+      bad,
+      LargestCoordinate);
   }
   return points;
 }
@@ -355,13 +349,12 @@ View ViewOf(vtkPolyData* stroke)
 
 std::vector<Vector2> StrokeOf(vtkPolyData* stroke)
 {
-  std::ostringstream message;
   if (stroke->GetNumberOfCells() != 1 || stroke->GetNumberOfLines() != 1)
   {
-    message << "The stroke input holds " << stroke->GetNumberOfLines() << " polylines and "
-            << stroke->GetNumberOfCells() - stroke->GetNumberOfLines()
-            << " other cells; exactly one polyline is needed.";
-    throw Error(Failure::BadStroke, message.str());
+    throw Error(Failure::BadStroke,
+      "The stroke input holds %1 polylines and %2 other cells; exactly one polyline is needed.",
+      stroke->GetNumberOfLines(),
+      stroke->GetNumberOfCells() - stroke->GetNumberOfLines());
   }
   vtkNew<vtkIdList> ids;
   stroke->GetLines()->GetCellAtId(0, ids);
@@ -376,8 +369,9 @@ std::vector<Vector2> StrokeOf(vtkPolyData* stroke)
     samples.push_back(p.head<2>());
     if (!samples.back().allFinite())
     {
-      message << "Sample " << i << " of the stroke is not finite or does not exist; record the stroke again.";
-      throw Error(Failure::BadStroke, message.str());
+      throw Error(Failure::BadStroke,
+        "Sample %1 of the stroke is not finite or does not exist; record the stroke again.",
+        i);
     }
   }
   if (samples.size() < 2)
@@ -416,27 +410,26 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   const std::string& remedy)
 {
   vtkDataArray* array = attributes->GetArray(name);
-  std::ostringstream message;
   if (!array)
   {
-    message << "The " << holder << (holder.back() == 's' ? " have" : " has") << " no array " << name << ": "
-            << remedy << ".";
-    throw Error(Failure::MissingArray, message.str());
+    throw Error(Failure::MissingArray,
+      holder.back() == 's' ? "The %1 have no array %2: %3." : "The %1 has no array %2: %3.",
+      holder,
+      name,
+      remedy);
   }
   if (array->GetNumberOfComponents() != components || (tuples >= 0 && array->GetNumberOfTuples() != tuples))
   {
-    message << "Array " << name << " of the " << holder << " has " << array->GetNumberOfTuples()
-            << " tuples of " << array->GetNumberOfComponents() << " components";
-    if (tuples >= 0)
-    {
-      message << "; " << tuples << " of " << components << " are needed";
-    }
-    else
-    {
-      message << "; tuples of " << components << " are needed";
-    }
-    message << ": " << remedy << ".";
-    throw Error(Failure::MissingArray, message.str());
+    throw Error(Failure::MissingArray,
+      tuples >= 0 ? "Array %1 of the %2 has %3 tuples of %4 components; %7 of %5 are needed: %6."
+                  : "Array %1 of the %2 has %3 tuples of %4 components; tuples of %5 are needed: %6.",
+      name,
+      holder,
+      array->GetNumberOfTuples(),
+      array->GetNumberOfComponents(),
+      components,
+      remedy,
+      tuples);
   }
   return array;
 }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace oversketch
 {
@@ -56,11 +55,6 @@ std::vector<double> lengthsOf(const std::vector<Vector3>& points)
   return lengths;
 }
 
-[[noreturn]] void refuse(Failure failure, const std::ostringstream& message)
-{
-  throw Error(failure, message.str());
-}
-
 } // namespace
 
 CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
@@ -100,10 +94,14 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
     const double value = own ? own[v] : array->GetComponent(v, 0);
     if (!(value >= low - rounding && value <= high + rounding))
     {
-      std::ostringstream message;
-      message << name << " of point " << v << " is " << value << ", not within " << low << " and " << high
-              << ": " << regionRemedy << '.';
-      refuse(Failure::BadRegion, message);
+      throw Error(Failure::BadRegion,
+        "%1 of point %2 is %3, not within %4 and %5: %6.",
+        name,
+        v,
+        value,
+        low,
+        high,
+        regionRemedy);
     }
     values.push_back(std::clamp(value, low, high));
   }
@@ -156,10 +154,12 @@ std::vector<double> ReadHandlePlaces(vtkPolyData* handles)
     places.push_back(array->GetComponent(i, 0));
     if (!(places.back() >= 0.0 && places.back() <= 1.0))
     {
-      std::ostringstream message;
-      message << "Handle " << i << " has a CurveT of " << places.back()
-              << ", which is no place on the curve; give one from 0, where the curve begins, to 1.";
-      refuse(Failure::BadStroke, message);
+      throw Error(Failure::BadStroke,
+        "Handle %1 has a CurveT of %2, which is no place on the curve; give one from 0, where the curve "
+        "begins, to "
+        "1.",
+        i,
+        places.back());
     }
   }
   return places;
@@ -180,11 +180,10 @@ std::vector<Matrix4> ReadHandleMatrices(vtkPolyData* handles)
     const bool finite = matrices.back().allFinite();
     if (!finite || matrices.back().row(3) != Eigen::RowVector4d(0.0, 0.0, 0.0, 1.0))
     {
-      std::ostringstream message;
-      message << "The Matrix of handle " << i
-              << (finite ? " is a perspective: its last row is not 0 0 0 1; give an affine one."
-                         : " is not finite; give one that is.");
-      refuse(Failure::BadStroke, message);
+      throw Error(Failure::BadStroke,
+        finite ? "The Matrix of handle %1 is a perspective: its last row is not 0 0 0 1; give an affine one."
+               : "The Matrix of handle %1 is not finite; give one that is.",
+        i);
     }
   }
   return matrices;

@@ -164,11 +164,12 @@ void RequireEndsBeside(vtkPolyData* section, vtkPolyData* drawn, const std::stri
   {
     if (const double distance = nearest(end).distance; distance > farthestEnd)
     {
-      std::ostringstream message;
-      message.precision(3);
-      message << who << ' ' << does << " at " << textOf(end) << ", " << distance
-              << " times the section's width away from it; " << drawOnSection << '.';
-      refuse(message.str());
+      refuse({ "%1 %2 at %3, %4 times the section's width away from it; %5.",
+        who,
+        does,
+        textOf(end),
+        std::round(100.0 * distance) / 100.0,
+        drawOnSection });
     }
   }
 }

@@ -33,7 +33,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 

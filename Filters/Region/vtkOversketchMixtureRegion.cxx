@@ -26,7 +26,6 @@
 #include <iterator>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <tuple>
 
 using namespace oversketch;

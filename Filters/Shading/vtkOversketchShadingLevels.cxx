@@ -55,7 +55,7 @@ ShadedPlaces placesOf(vtkPolyData* mesh, vtkPolyData* disc, int size, const Cont
     const double id = ids->GetComponent(i, 0);
     if (!(id >= 0.0 && id < static_cast<double>(labels.size())))
     {
-      refuse("Point " + std::to_string(i) + " of the disc names no vertex of the mesh");
+      refuse({ "Point %1 of the disc names no vertex of the mesh", i });
     }
     const auto vertex = static_cast<std::size_t>(id);
     flat.emplace_back(shape->Surface().points[i].head<2>());
@@ -63,7 +63,7 @@ ShadedPlaces placesOf(vtkPolyData* mesh, vtkPolyData* disc, int size, const Cont
     inside.push_back(labels[vertex] == EditLabel::Inside);
     if (!(shares.back() >= 0.0 && shares.back() <= 1.0))
     {
-      refuse("CurveDistance of vertex " + std::to_string(vertex) + " is not within 0 and 1");
+      refuse({ "CurveDistance of vertex %1 is not within 0 and 1", vertex });
     }
   }
   return shadedPlaces(flat, shape->Surface().triangles, shares, inside, size, context);

@@ -15,7 +15,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace oversketch
 {

@@ -21,7 +21,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <sstream>
 #include <type_traits>
 
 namespace oversketch

@@ -21,28 +21,31 @@ struct vtkOversketchTerrain::Cache
 {
   StellarStep Step;
   vtkSmartPointer<vtkPolyData> Source;
-  std::string Warning;
+  Message Warning;
 };
 
 namespace
 {
 
 // What became of missing samples; empty where none was.
-std::string judged(const FilledSamples& samples, const Terrain& terrain, std::size_t quads)
+Message judged(const FilledSamples& samples, const Terrain& terrain, std::size_t quads)
 {
-  std::string words;
+  std::vector<Message> said;
   if (samples.filled > 0)
   {
-    words = std::to_string(samples.filled) + " missing samples were filled, each from those beside it.";
+    said.emplace_back("%1 missing samples were filled, each from those beside it.", samples.filled);
   }
   if (samples.left > 0)
   {
     const std::size_t all = static_cast<std::size_t>(terrain.columns()) * terrain.rows();
-    words += (words.empty() ? "" : " ") + std::to_string(samples.left) +
-             " missing samples, three and more side by side in both directions, are holes; " +
-             std::to_string(all - quads) + " of " + std::to_string(all) + " quads there are left out.";
+    said.emplace_back(
+      "%1 missing samples, three and more side by side in both directions, are holes; %2 of %3 "
+      "quads there are left out.",
+      samples.left,
+      all - quads,
+      all);
   }
-  return words;
+  return Message::joined(said);
 }
 
 } // namespace

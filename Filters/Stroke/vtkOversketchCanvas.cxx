@@ -28,10 +28,9 @@ namespace
 
 constexpr double upright = 1e-9; // how far from the axes a viewport's sides may turn
 
-[[noreturn]] void noCanvas(const std::string& why)
+[[noreturn]] void noCanvas(const Message& why)
 {
-  throw Error(
-    Failure::BadStroke, "There is no canvas: " + why + "; give the picture, or a field array Canvas.");
+  throw Error(Failure::BadStroke, "There is no canvas: %1; give the picture, or a field array Canvas.", why);
 }
 
 // The rectangle that the one view of all strokes shows.
@@ -45,7 +44,7 @@ Canvas canvasOfView(vtkPolyData* strokes)
         other.projectionTransform() != first.projectionTransform() || other.width() != first.width() ||
         other.height() != first.height())
     {
-      noCanvas("strokes 0 and " + std::to_string(i) + " carry different views");
+      noCanvas({ "strokes 0 and %1 carry different views", i });
     }
   }
   const auto corner = ontoCanvas(first, Vector2(0.0, 0.0));

@@ -19,7 +19,6 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 namespace oversketch
 {

@@ -17,7 +17,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <sstream>
 
 using namespace oversketch;
 

@@ -18,7 +18,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 

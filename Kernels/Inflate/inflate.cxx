@@ -10,7 +10,7 @@ namespace oversketch
 namespace
 {
 
-[[noreturn]] void unsealable(const std::string& message)
+[[noreturn]] void unsealable(const Message& message)
 {
   throw Error(Failure::BadMesh, message);
 }
@@ -27,9 +27,9 @@ void requireSealable(const PlanarMesh& mesh)
     if (!isRim(mesh.points[edge.from].kind))
     {
       unsealable(
-        "Point " + std::to_string(edge.from) +
-        " lies on a border of the planar mesh but on no rim (BoundaryKind 1 or 2); a tunnel is cut out "
-        "of the surface, not of this mesh.");
+        { "Point %1 lies on a border of the planar mesh but on no rim (BoundaryKind 1 or 2); a tunnel is "
+          "cut out of the surface, not of this mesh.",
+          edge.from });
     }
   }
   for (const PlanarFace& face : mesh.faces)
@@ -43,14 +43,17 @@ void requireSealable(const PlanarMesh& mesh)
       }
       if (next[a] < 0)
       {
-        unsealable("Point " + std::to_string(a) +
-                   " is of a rim (BoundaryKind 1 or 2) but inside the planar mesh; trim the holes first.");
+        unsealable(
+          { "Point %1 is of a rim (BoundaryKind 1 or 2) but inside the planar mesh; trim the holes first.",
+            a });
       }
       if (isRim(mesh.points[b].kind) && next[a] != b)
       {
-        unsealable("The edge between points " + std::to_string(a) + " and " + std::to_string(b) +
-                   " joins two points of rims inside the planar mesh: front and back would coincide there; "
-                   "refine the mesh once more.");
+        unsealable(
+          { "The edge between points %1 and %2 joins two points of rims inside the planar mesh: front and "
+            "back would coincide there; refine the mesh once more.",
+            a,
+            b });
       }
     }
     for (int k = 0; k < 2 && face.count() == 4; ++k)
@@ -58,9 +61,11 @@ void requireSealable(const PlanarMesh& mesh)
       const int a = face.corners[k], b = face.corners[k + 2];
       if (isRim(mesh.points[a].kind) && isRim(mesh.points[b].kind))
       {
-        unsealable("A quad has points " + std::to_string(a) + " and " + std::to_string(b) +
-                   " of rims at opposite corners: cut there into triangles, front and back would coincide; "
-                   "divide the base face there, as vtkOversketchCoarseMesh does by its TerminalRule.");
+        unsealable(
+          { "A quad has points %1 and %2 of rims at opposite corners: cut there into triangles, front and "
+            "back would coincide; divide the base face there.",
+            a,
+            b });
       }
     }
   }

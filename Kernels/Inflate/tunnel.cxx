@@ -49,8 +49,7 @@ std::vector<int> twinsOf(const Solid& solid)
     const SolidPoint& point = solid.points[i];
     if (point.planar < 0)
     {
-      throw Error(
-        Failure::BadMesh, "Point " + std::to_string(i) + " is of no point of the planar mesh (PlanarId).");
+      throw Error(Failure::BadMesh, "Point %1 is of no point of the planar mesh (PlanarId).", i);
     }
     if (point.side < 0)
     {

@@ -22,7 +22,7 @@ struct NamedOperation : Operation
 {
   std::string name; // for messages
 
-  [[noreturn]] void refuse(const std::string& why) const
+  [[noreturn]] void refuse(const Message& why) const
   {
     throw Error(Failure::BadStroke, "%1: %2", this->name, why);
   }
@@ -44,8 +44,8 @@ double numberOf(const NamedOperation& operation, std::istringstream& words, cons
   double number = 0.0;
   if (!(digits >> number) || !digits.eof() || !std::isfinite(number))
   {
-    operation.refuse(std::string("its ") + what + (word.empty() ? " is missing" : " is \"" + word + "\"") +
-                     "; " + howTo + ".");
+    operation.refuse(
+      { word.empty() ? "its %1 is missing; %3." : "its %1 is \"%2\"; %3.", what, word, howTo });
   }
   return number;
 }
@@ -59,7 +59,7 @@ NamedOperation operationOf(const std::string& text, int number)
   const auto known = std::find(std::begin(verbNames), std::end(verbNames), verb);
   if (known == std::end(verbNames))
   {
-    operation.refuse("\"" + verb + "\" is none; " + howTo + ".");
+    operation.refuse({ "\"%1\" is none; %2.", verb, howTo });
   }
   operation.verb = static_cast<Verb>(known - std::begin(verbNames));
   if (operation.verb == Verb::Drag)
@@ -80,7 +80,7 @@ NamedOperation operationOf(const std::string& text, int number)
     const std::string axis = wordOf(words), axes = axisNames;
     if (axis.size() != 1 || axes.find(axis) == std::string::npos)
     {
-      operation.refuse("its axis is \"" + axis + "\"; give t, along the curve, w, beside it, or n, outward.");
+      operation.refuse({ "its axis is \"%1\"; give t, along the curve, w, beside it, or n, outward.", axis });
     }
     operation.axis = static_cast<int>(axes.find(axis));
     operation.amount = numberOf(operation, words, "amount");
@@ -88,7 +88,7 @@ NamedOperation operationOf(const std::string& text, int number)
   const std::string rest = wordOf(words);
   if (!rest.empty())
   {
-    operation.refuse("\"" + rest + "\" is too much; " + howTo + ".");
+    operation.refuse({ "\"%1\" is too much; %2.", rest, howTo });
   }
   return operation;
 }
@@ -105,7 +105,7 @@ Matrix4 matrixOf(const NamedOperation& operation, const CurveFrame& frame)
   }
   catch (const Error& error)
   {
-    operation.refuse(error.what());
+    operation.refuse(error.message());
   }
 }
 

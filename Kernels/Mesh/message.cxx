@@ -23,9 +23,9 @@ std::string Message::asProperty(const std::string& named)
 {
   const std::string value = valueIn(named);
   const bool isTurned = value == "on" || value == "off";
-  return isTurned              ? "turn " + propertyIn(named) + ' ' + value
+  return isTurned                               ? "turn " + propertyIn(named) + ' ' + value
          : named.find(' ') == std::string::npos ? propertyIn(named)
-                               : named;
+                                                : named;
 }
 
 Message::Message(const std::string& verbatim)

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <deque>
 #include <numeric>
-#include <sstream>
 
 namespace oversketch
 {

@@ -17,9 +17,9 @@ namespace
   throw Error(Failure::BadMesh, "%1: take the mesh as the filters of the drawing's triangles make it", what);
 }
 
-std::string edgeText(int from, int to)
+Message edgeText(int from, int to)
 {
-  return "the edge of points " + std::to_string(from) + " and " + std::to_string(to);
+  return { "the edge of points %1 and %2", from, to };
 }
 
 // For each point, the numbers of what has it.

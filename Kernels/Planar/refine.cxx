@@ -32,8 +32,7 @@ void checkOptions(const PlanarRefineOptions& options)
   }
   if (!(options.snapShare >= 0.0 && options.snapShare <= 1.0))
   {
-    throw Error(
-      Failure::BadStroke, "the snap's share is " + std::to_string(options.snapShare) + ": set it to 0 to 1");
+    throw Error(Failure::BadStroke, "the snap's share is %1: set it to 0 to 1", options.snapShare);
   }
   if (!(options.canvasSide > 0.0) || !std::isfinite(options.canvasSide))
   {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <string>
 
 namespace oversketch
@@ -484,8 +483,8 @@ void refuseLoose(const CurveMesh& mesh, const std::vector<MeshCurve>& stored)
       if (!mesh.joined(a, b))
       {
         throw Error(Failure::BadStroke,
-          "Stored curve %1 cannot be used: no edge joins its vertices %2 and %3. Take it from "
-          "vtkOversketchInsertCurve on this mesh.",
+          "Stored curve %1 cannot be used: no edge joins its vertices %2 and %3. Insert it into "
+          "this mesh anew.",
           c,
           a,
           b);

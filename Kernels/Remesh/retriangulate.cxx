@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 namespace oversketch
 {
@@ -46,8 +45,8 @@ void requireMeanEdge(const RetriangulateInput& input)
 {
   if (!(input.meanEdge > 0.0) || !std::isfinite(input.meanEdge))
   {
-    throw Error(Failure::BadRegion,
-      "The mean edge length is not above 0: take it from vtkOversketchMeanEdge when the mesh is loaded.");
+    throw Error(
+      Failure::BadRegion, "The mean edge length is not above 0: take that of the mesh as it was loaded.");
   }
 }
 

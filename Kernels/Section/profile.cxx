@@ -73,19 +73,19 @@ void checkDrawn(const Polyline& drawn, const std::vector<double>& source)
   }
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
-    const std::string point = "Point " + std::to_string(i) + " of the new profile ";
+    const Message point("Point %1 of the new profile", i);
     if (!drawn[i].allFinite())
     {
-      refuse({ "%1is not finite; draw it anew.", point });
+      refuse({ "%1 is not finite; draw it anew.", point });
     }
     if (!(source[i] >= 0.0 && source[i] <= 1.0))
     {
-      refuse(
-        { "%1comes from a place outside 0 and 1 of the old one; redraw the profile by a re-sketch.", point });
+      refuse({ "%1 comes from a place outside 0 and 1 of the old one; redraw the profile by a re-sketch.",
+        point });
     }
     if (i > 0 && source[i] < source[i - 1])
     {
-      refuse({ "%1comes from a place before that of the point before it; redraw the profile by a re-sketch, "
+      refuse({ "%1 comes from a place before that of the point before it; redraw the profile by a re-sketch, "
                "which gives them in order.",
         point });
     }

@@ -176,19 +176,21 @@ private:
   Vector3 Origin, Normal;
 };
 
-[[noreturn]] void refuseWay(const Way& way, const char* goal)
+[[noreturn]] void refuseWay(const Way& way, const Message& goal)
 {
   const Crossing& e = way.edges.back();
-  const std::string edge = std::to_string(e.v0) + " and " + std::to_string(e.v1);
   throw Error(Failure::BadMesh,
     way.ended == Ended::Round
-      ? std::string("The cross-section comes back to where it began without meeting ") + goal +
-          ": slide the plane along the curve."
-    : way.ended == Ended::Border
-      ? "The cross-section meets the mesh's border, at the edge of points " + edge + ", before " + goal +
-          ": slide the plane along the curve, or draw a boundary within the mesh."
-      : "The cross-section meets an edge of more than two faces, of points " + edge + ", before " + goal +
-          ": repair the mesh there.");
+      ? "The cross-section comes back to where it began without meeting %3: slide the plane along the curve."
+    : way.ended == Ended::Border ? "The cross-section meets the mesh's border, at the edge of points %1 and "
+                                   "%2, before %3: slide the plane "
+                                   "along the curve, or draw a boundary within the mesh."
+                                 : "The cross-section meets an edge of more than two faces, of points %1 and "
+                                   "%2, before %3: repair the mesh "
+                                   "there.",
+    e.v0,
+    e.v1,
+    goal);
 }
 
 std::vector<int> boundaryEdges(const Adjacency& adjacency, const std::vector<int>& boundary)

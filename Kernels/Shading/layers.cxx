@@ -20,7 +20,7 @@ std::vector<LayerHandle> heldOf(const std::vector<LayerHandle>& handles)
   for (const LayerHandle& handle : handles)
   {
     double low = 0.0, high = 1.0, lowRest = 0.0, highRest = 1.0;
-    const auto name = "Layer handle " + std::to_string(held.size());
+    const Message name("Layer handle %1", held.size());
     if (!std::isfinite(handle.rest) || !std::isfinite(handle.place))
     {
       throw Error(Failure::BadStroke, "%1 is not finite; remove it.", name);
@@ -45,7 +45,7 @@ std::vector<LayerHandle> heldOf(const std::vector<LayerHandle>& handles)
     if (!(handle.rest >= nearest && handle.rest <= 1.0 - nearest))
     {
       throw Error(
-        Failure::BadStroke, name + " lies on the reference or boundary curve; place it between them.");
+        Failure::BadStroke, "%1 lies on the reference or boundary curve; place it between them.", name);
     }
     held.push_back({ handle.rest, std::clamp(handle.place, low, high) });
   }

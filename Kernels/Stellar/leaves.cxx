@@ -568,7 +568,7 @@ Forest rebuild(const Leaves& leaves, const Context& context)
   }
   catch (const Error& e)
   {
-    refuseLeaves(e.what());
+    refuseLeaves(std::string(e.what()));
   }
   context.checkpoint(0.6);
   checkFit(forest, reader.sides(), context);

@@ -173,8 +173,7 @@ SurfacePoint OriginalSurface::at(const SourcePlace& place) const
   if (place.root < 0 || place.root >= static_cast<int>(this->roots.size()))
   {
     throw Error(Failure::BadMesh,
-      "The source has no root %1 (field array SourceRoots); connect output 1 of the vtkOversketchStellarBase "
-      "that made the mesh.",
+      "The source has no root %1 (field array SourceRoots); take the source that was made with the mesh.",
       place.root);
   }
   const SourceRoot& root = this->roots[place.root];
@@ -207,8 +206,7 @@ void refuse(bool bad, const std::string& what)
   if (bad)
   {
     throw Error(Failure::BadMesh,
-      "%1 of the source; its records were changed or cut short. Pass output 1 of vtkOversketchStellarBase as "
-      "it is.",
+      "%1 of the source; its records were changed or cut short. take it as it was made.",
       what);
   }
 }

@@ -3,7 +3,6 @@
 #include "Mesh/context.h"
 
 #include <cmath>
-#include <sstream>
 
 namespace oversketch
 {
