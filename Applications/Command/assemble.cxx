@@ -2,7 +2,7 @@
 
 #include "evaluator.h"
 #include "mesh_file.h"
-#include "option_words.h"
+#include "option_names.h"
 #include "parts.h"
 #include "parts_file.h"
 #include "report.h"

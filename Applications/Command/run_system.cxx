@@ -5,7 +5,7 @@
 #include "layers_file.h"
 #include "mesh_file.h"
 #include "option_values.h"
-#include "option_words.h"
+#include "option_names.h"
 #include "picture.h"
 #include "report.h"
 #include "terminal.h"

@@ -76,7 +76,7 @@ def sources():
     shutil.rmtree(copy, ignore_errors=True)
     shutil.copytree(SOURCE, copy, ignore=LEFT_OUT, symlinks=True)
     shutil.copytree(HERE / "tree", copy, dirs_exist_ok=True)
-    add_beside(copy / "Applications" / "Session" / "systems.cxx", HERE / "rows.cxx.in")
+    add_beside(copy / "Applications" / "Session" / "Scene" / "systems.cxx", HERE / "rows.cxx.in")
     add_beside(copy / "Applications" / "Studio" / "Tools" / "tools.cxx", HERE / "tools.cxx.in")
     return copy
 
@@ -104,7 +104,7 @@ def test_two_files_are_touched(sources):
     own = [name for name in found if name.startswith(OWN)]
     others = [name for name in found if name not in own]
     print(f"\nthe toy's own files: {', '.join(own)}\ntouched outside them: {', '.join(others)}")
-    assert others == ["Applications/Session/systems.cxx", "Applications/Studio/Tools/tools.cxx"]
+    assert others == ["Applications/Session/Scene/systems.cxx", "Applications/Studio/Tools/tools.cxx"]
 
 
 # ------------------------------------------------------------------------------------------------------- what it makes

@@ -6,7 +6,7 @@
 #include "parts.h"
 #include "pieces.h"
 #include "session_file.h"
-#include "skin.h"
+#include "picture_skin.h"
 #include "texture.h"
 
 #include "vtkCellData.h"

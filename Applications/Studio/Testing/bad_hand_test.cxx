@@ -1,5 +1,5 @@
 // What a bad hand is told in the window, and that it spoils nothing.
-#include "message_words.h"
+#include "message_text.h"
 #include "mouse.h"
 #include "scene.h"
 

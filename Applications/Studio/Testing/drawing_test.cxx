@@ -5,7 +5,7 @@
 #include "draws_on_processor.h"
 #include "files.h"
 #include "mesh_file.h"
-#include "message_words.h"
+#include "message_text.h"
 #include "sheet.h"
 #include "texture.h"
 #include "tool.h"

@@ -3,7 +3,7 @@
 #include "history_panel.h"
 #include "language.h"
 #include "main_window.h"
-#include "message_words.h"
+#include "message_text.h"
 #include "mouse.h"
 #include "options_stack.h"
 #include "preferences.h"

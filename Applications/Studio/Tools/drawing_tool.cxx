@@ -5,7 +5,7 @@
 #include "flow_layout.h"
 #include "focus_frame.h"
 #include "long_work.h"
-#include "message_words.h"
+#include "message_text.h"
 #include "systems.h"
 #include "viewport.h"
 

@@ -4,7 +4,7 @@
 #include "edit_ground.h"
 #include "edit_step.h"
 #include "latency.h"
-#include "message_words.h"
+#include "message_text.h"
 #include "system_runner.h"
 #include "viewport.h"
 

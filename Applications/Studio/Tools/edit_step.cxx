@@ -1,6 +1,6 @@
 #include "edit_step.h"
 
-#include "message_words.h"
+#include "message_text.h"
 
 #include "vtkOversketchFilterTools.h"
 

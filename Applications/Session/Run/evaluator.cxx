@@ -1,0 +1,528 @@
+#include "evaluator.h"
+
+#include "drawing_lines.h"
+#include "files.h"
+#include "heights.h"
+#include "models.h"
+#include "parts.h"
+#include "picture_skin.h"
+#include "system_runner.h"
+#include "texture.h"
+
+#include "vtkOversketchSystem.h"
+
+#include "Mesh/context.h"
+
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+namespace oversketch_session
+{
+
+namespace
+{
+
+using Ports = std::map<int, std::set<int>>;
+
+// The output ports that steps refer to, by the ids of those that they are of.
+Ports portsOf(const Session& session)
+{
+  Ports ports;
+  for (const Node& node : session.nodes)
+  {
+    for (const auto& named : node.step->inputs)
+    {
+      if (const auto* output = std::get_if<StepOutput>(&named.second))
+      {
+        ports[output->step].insert(output->port);
+      }
+    }
+  }
+  return ports;
+}
+
+bool isElsewhere(const Node& node, const Outcome& outcome)
+{
+  if (!node.committed || !outcome.section)
+  {
+    return false;
+  }
+  const Point &a = node.committed->middle, &b = outcome.section->middle;
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) >
+         0.5 * std::min(node.committed->length, outcome.section->length);
+}
+
+// Whether two steps make the same thing, wherever it is put then.
+bool isSameWork(const Step& a, const Step& b)
+{
+  const auto isSame = [](const auto& x, const auto& y)
+  {
+    const auto *xLines = std::get_if<Lines>(&x.second), *yLines = std::get_if<Lines>(&y.second);
+    const auto *xImage = std::get_if<Image>(&x.second), *yImage = std::get_if<Image>(&y.second);
+    return x.first == y.first && ((xLines && yLines && xLines->identity() == yLines->identity()) ||
+                                   (xImage && yImage && xImage->bytes == yImage->bytes));
+  };
+  return a.system == b.system && a.values == b.values &&
+         std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), isSame);
+}
+
+} // namespace
+
+struct Evaluator::Run
+{
+  const Session& session;
+  const Watch& watch;
+  std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
+  const Laid* known;              // of one of the nodes; may be null
+  Ports ports;
+  std::uint64_t mesh = 0; // the number of the outcome that comes to the node
+};
+
+struct Evaluator::Runner
+{
+  explicit Runner(const SystemRow& row)
+    : steps(std::make_unique<SystemRunner>(row))
+  {
+  }
+
+  std::unique_ptr<SystemRunner> steps;
+  std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
+  // A step whose outcome was known, and what that is given: a change of it needs what no run has made.
+  struct Passed
+  {
+    std::shared_ptr<const Step> step;
+    Inputs inputs;
+    int backend;
+  };
+  std::optional<Passed> passed;
+  // What is prepared for a mesh, where that is not to take the place of what the last step computed.
+  std::unique_ptr<SystemRunner> ahead;
+  vtkSmartPointer<vtkPolyData> aheadOf;
+  // Takes it up where a step is given that mesh.
+  void turnTo(const Inputs& inputs)
+  {
+    const auto isAheadOf = [this](const auto& input) { return input.second == this->aheadOf; };
+    if (this->ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
+    {
+      this->steps = std::move(this->ahead);
+      this->aheadOf = nullptr;
+    }
+  }
+  // The last lines of each input, and whose they are.
+  std::map<std::string, std::pair<std::weak_ptr<const void>, vtkSmartPointer<vtkPolyData>>> lines;
+};
+
+Evaluator::Evaluator(std::size_t bytes, const std::vector<SystemRow>& rows)
+  : Rows(rows)
+  , Budget(bytes)
+{
+}
+
+Evaluator::~Evaluator() = default;
+
+Evaluator::Runner* Evaluator::runner(const std::string& name)
+{
+  const SystemRow* row = findSystem(name, this->Rows);
+  if (!row)
+  {
+    return nullptr;
+  }
+  auto& runner = this->Runners[name];
+  if (!runner)
+  {
+    runner = std::make_unique<Runner>(*row);
+  }
+  return runner.get();
+}
+
+vtkOversketchSystem* Evaluator::system(const std::string& name)
+{
+  Runner* runner = this->runner(name);
+  return runner ? runner->steps->system() : nullptr;
+}
+
+vtkSmartPointer<vtkImageData> Evaluator::imageOf(const Image& image, SystemInput::Kind kind)
+{
+  auto& made = this->Pictures[image.bytes][kind];
+  if (!made && kind == SystemInput::Kind::Heights)
+  {
+    try
+    {
+      made = oversketch_files::parseHeights(image.name, *image.bytes);
+    }
+    catch (const oversketch_files::Failed&)
+    {
+      return nullptr;
+    }
+  }
+  else if (!made)
+  {
+    made = oversketch_files::pictureOf(*image.bytes);
+  }
+  return made;
+}
+
+std::string Evaluator::resolve(Run& run,
+  std::size_t index,
+  const SystemRow& row,
+  Inputs& inputs,
+  std::vector<std::uint64_t>& numbers)
+{
+  const auto& nodes = run.session.nodes;
+  for (const SystemInput& input : row.inputs)
+  {
+    const std::string what = "its input '" + input.name + "' ";
+    const auto given = nodes[index].step->inputs.find(input.name);
+    if (given == nodes[index].step->inputs.end())
+    {
+      if (input.kind == SystemInput::Kind::Mesh && run.outcomes[index].mesh)
+      {
+        inputs[input.name] = run.outcomes[index].mesh;
+        numbers.push_back(run.mesh);
+      }
+      else if (input.kind == SystemInput::Kind::Mesh)
+      {
+        return "there is no mesh yet that it could act on";
+      }
+      else if (!input.optional)
+      {
+        return what + "is missing";
+      }
+    }
+    else if (const auto* lines = std::get_if<Lines>(&given->second))
+    {
+      // The same ones as last time are the same data, so that the steps keep what they made of them.
+      auto& [identity, data] = this->runner(row.name)->lines[input.name];
+      if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
+      {
+        identity = lines->identity();
+        data = strokesThatAreOn(lines->own());
+      }
+      inputs[input.name] = data;
+    }
+    else if (const auto* image = std::get_if<Image>(&given->second))
+    {
+      inputs[input.name] = this->imageOf(*image, input.kind);
+      if (!inputs[input.name])
+      {
+        return what + "is the picture '" + image->name + "', which cannot be read";
+      }
+    }
+    else
+    {
+      const StepOutput& output = std::get<StepOutput>(given->second);
+      const auto node =
+        std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.id == output.step; });
+      if (node == nodes.end())
+      {
+        return what + "is of a step that is no longer there";
+      }
+      const std::string whose = what + "is of '" + node->name + "', which ";
+      const auto at = static_cast<std::size_t>(node - nodes.begin());
+      if (at >= index)
+      {
+        return whose + (at == index ? "is itself" : "comes after it");
+      }
+      const Outcome& outcome = run.outcomes[at];
+      if (!node->on || !outcome.failure.empty())
+      {
+        return whose + (node->on ? "did nothing" : "is off");
+      }
+      const auto port = outcome.outputs.find(output.port);
+      if (output.port != 0 && port == outcome.outputs.end())
+      {
+        return whose + "has no output " + std::to_string(output.port);
+      }
+      if (output.port == 0)
+      {
+        inputs[input.name] = outcome.mesh;
+      }
+      else
+      {
+        inputs[input.name] = port->second;
+      }
+      numbers.push_back(outcome.number);
+    }
+  }
+  return {};
+}
+
+bool Evaluator::make(Run& run,
+  std::size_t index,
+  const Inputs& inputs,
+  std::uint64_t number,
+  const std::set<int>& ports,
+  Outcome& outcome)
+{
+  const Step& step = *run.session.nodes[index].step;
+  Runner& runner = *this->runner(step.system);
+  if (run.watch.details && !this->finish(runner, run.watch.cancelled))
+  {
+    return false;
+  }
+  Listener listener;
+  listener.cancelled = run.watch.cancelled;
+  if (run.watch.progress)
+  {
+    listener.progress = [&](const std::string& stage, double share)
+    { run.watch.progress(index, stage, share); };
+  }
+  runner.turnTo(inputs);
+  ++this->Runs;
+  runner.last = 0;
+  runner.passed.reset();
+  if (!runner.steps->run(step, inputs, run.session.backend, ports, listener, outcome))
+  {
+    return false;
+  }
+  if (outcome.failure.empty())
+  {
+    const auto decoded = [&](const std::string& name)
+    { return vtkImageData::SafeDownCast(inputs.at(name).Get()); };
+    wearPictures(step, *findSystem(step.system, this->Rows), decoded, outcome.mesh);
+  }
+  runner.last = outcome.failure.empty() ? number : 0;
+  return true;
+}
+
+bool Evaluator::takeKnown(Run& run, std::size_t index, const Inputs& inputs, const std::set<int>& ports)
+{
+  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
+  Outcome& outcome = run.outcomes[index];
+  const auto isOfAnother = [](const auto& input) { return std::holds_alternative<StepOutput>(input.second); };
+  if (!run.known || run.known->step != step || step->mirror || step->part || !outcome.mesh ||
+      !isShallowCopy(run.known->mesh, outcome.mesh) ||
+      std::any_of(step->inputs.begin(), step->inputs.end(), isOfAnother))
+  {
+    return false;
+  }
+  Runner& runner = *this->runner(step->system);
+  outcome = outcomeOf(*run.known, outcome.mesh, ports);
+  runner.passed = Runner::Passed{ step, inputs, run.session.backend };
+  return true;
+}
+
+bool Evaluator::makePart(Run& run,
+  std::size_t index,
+  const Inputs& inputs,
+  std::uint64_t number,
+  const std::set<int>& ports,
+  Outcome& outcome)
+{
+  const Node& node = run.session.nodes[index];
+  const vtkSmartPointer<vtkPolyData> came = outcome.mesh;
+  const auto kept = this->Parts.find(node.id);
+  const auto has = [&](int port) { return kept->second.outcome.outputs.count(port) > 0; };
+  if (kept != this->Parts.end() && kept->second.backend == run.session.backend &&
+      isSameWork(kept->second.step, *node.step) && std::all_of(ports.begin(), ports.end(), has))
+  {
+    outcome = kept->second.outcome;
+  }
+  else
+  {
+    if (!this->make(run, index, inputs, number, ports, outcome))
+    {
+      return false;
+    }
+    this->Parts[node.id] = { *node.step, run.session.backend, outcome };
+  }
+  const vtkSmartPointer<vtkPolyData> made = outcome.failure.empty() ? outcome.mesh : nullptr;
+  outcome.mesh = came || !made ? came : made;
+  if (made && made->GetNumberOfPoints() > 0)
+  {
+    try
+    {
+      outcome.mesh = withPart(came, made, *node.step->part);
+    }
+    catch (const oversketch::Error& error)
+    {
+      outcome.failure = error.message();
+    }
+  }
+  return true;
+}
+
+bool Evaluator::runNode(Run& run, std::size_t index)
+{
+  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
+  Outcome& outcome = run.outcomes[index];
+  Inputs inputs;
+  std::vector<std::uint64_t> numbers;
+  outcome.failure = faultOf(*step, this->Rows);
+  if (outcome.failure.empty())
+  {
+    outcome.failure = this->resolve(run, index, *findSystem(step->system, this->Rows), inputs, numbers);
+  }
+  if (!outcome.failure.empty())
+  {
+    return true;
+  }
+  if (step->part && outcome.mesh)
+  {
+    numbers.push_back(run.mesh);
+  }
+  const std::uint64_t number = this->numberOf({ step, numbers, run.session.backend });
+  Kept& kept = this->Outcomes.at(number);
+  std::set<int> ports; // that it has and others refer to
+  for (const int port : run.ports[run.session.nodes[index].id])
+  {
+    if (port > 0 && port < this->system(step->system)->GetNumberOfOutputPorts())
+    {
+      ports.insert(port);
+    }
+  }
+  const auto isKept = [&](int port) { return kept.outcome->outputs.count(port) > 0; };
+  if (kept.outcome && (!kept.outcome->failure.empty() || std::all_of(ports.begin(), ports.end(), isKept)))
+  {
+    outcome = *kept.outcome;
+  }
+  else
+  {
+    const bool done = this->takeKnown(run, index, inputs, ports) ||
+                      (step->part ? this->makePart(run, index, inputs, number, ports, outcome)
+                                  : this->make(run, index, inputs, number, ports, outcome));
+    if (!done)
+    {
+      return false;
+    }
+    outcome.number = outcome.failure.empty() ? number : 0;
+    outcome.details = kept.outcome ? kept.outcome->details : outcome.details;
+    kept.outcome = outcome;
+    kept.bytes = bytesOf(outcome);
+  }
+  if (outcome.failure.empty())
+  {
+    run.mesh = number;
+  }
+  return true;
+}
+
+bool Evaluator::run(const Session& session,
+  const Watch& watch,
+  std::vector<Outcome>& outcomes,
+  const Laid* known)
+{
+  outcomes.clear();
+  this->forget();
+  ++this->RunCount;
+  Run run{ session, watch, outcomes, known, portsOf(session) };
+  const auto isThere = [&session](const auto& isIt)
+  { return std::any_of(session.nodes.begin(), session.nodes.end(), isIt); };
+  for (auto it = this->Parts.begin(); it != this->Parts.end();)
+  {
+    const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
+    it = isThere(isIt) ? std::next(it) : this->Parts.erase(it);
+  }
+  for (const auto& named : this->Runners)
+  {
+    auto& passed = named.second->passed;
+    if (passed && !isThere([&](const Node& node) { return node.step == passed->step; }))
+    {
+      passed.reset();
+    }
+  }
+  run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
+  vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
+  for (std::size_t i = 0; i < session.nodes.size(); ++i)
+  {
+    outcomes.emplace_back();
+    outcomes[i].mesh = mesh;
+    if (session.nodes[i].on && !this->runNode(run, i))
+    {
+      outcomes.pop_back();
+      return false;
+    }
+    outcomes[i].elsewhere = isElsewhere(session.nodes[i], outcomes[i]);
+    mesh = outcomes[i].mesh;
+  }
+  this->giveUp();
+  return true;
+}
+
+bool Evaluator::finish(Runner& runner, const std::function<bool()>& cancelled)
+{
+  const auto kept = this->Outcomes.find(runner.last);
+  if (kept == this->Outcomes.end() || !kept->second.outcome || kept->second.outcome->details)
+  {
+    return true;
+  }
+  Outcome& outcome = *kept->second.outcome;
+  outcome.details = runner.steps->details(outcome.mesh, cancelled);
+  kept->second.bytes = bytesOf(outcome);
+  return outcome.details != nullptr;
+}
+
+bool Evaluator::details(std::vector<Outcome>& outcomes, const Watch& watch)
+{
+  bool done = true;
+  for (const auto& named : this->Runners)
+  {
+    done = done && this->finish(*named.second, watch.cancelled);
+  }
+  for (Outcome& outcome : outcomes)
+  {
+    const auto kept = this->Outcomes.find(outcome.number);
+    if (kept != this->Outcomes.end() && kept->second.outcome)
+    {
+      outcome.details = kept->second.outcome->details;
+    }
+  }
+  this->giveUp();
+  return done;
+}
+
+void Evaluator::releaseWork()
+{
+  for (const auto& named : this->Runners)
+  {
+    named.second->steps->releaseWork();
+    named.second->last = 0;
+    named.second->passed.reset();
+  }
+}
+
+void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch)
+{
+  Listener listener;
+  listener.cancelled = watch.cancelled;
+  Runner& runner = *this->runner(row.name);
+  if (runner.passed)
+  {
+    runner.turnTo(runner.passed->inputs);
+    if (!runner.steps->prepare(*runner.passed->step, runner.passed->inputs, runner.passed->backend, listener))
+    {
+      return;
+    }
+    runner.passed.reset();
+  }
+  if (!row.followsHand)
+  {
+    runner.steps->prepare(mesh, backend, listener);
+    return;
+  }
+  if (!runner.ahead || runner.aheadOf != mesh)
+  {
+    runner.ahead = std::make_unique<SystemRunner>(row); // a fresh one holds nothing of other meshes
+    runner.aheadOf = mesh;
+  }
+  runner.ahead->prepare(mesh, backend, listener);
+}
+
+vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes)
+{
+  return outcomes.empty() ? session.mesh.Get() : outcomes.back().mesh.Get();
+}
+
+int backendUsedBy(const std::vector<Outcome>& outcomes)
+{
+  const bool onDevice = std::any_of(outcomes.begin(),
+    outcomes.end(),
+    [](const Outcome& outcome) { return outcome.backendUsed == vtkOversketchSystem::OpenCL; });
+  return onDevice ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
+}
+
+} // namespace oversketch_session

@@ -1,0 +1,158 @@
+// Runs a session: the mesh goes through the steps that are on, one after the other.
+#ifndef oversketch_applications_session_run_evaluator_h
+#define oversketch_applications_session_run_evaluator_h
+
+#include "outcome.h"
+#include "systems.h"
+
+#include "vtkImageData.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace oversketch_session
+{
+
+class SystemRunner;
+
+class Evaluator
+{
+public:
+  // Keeps outcomes of steps that someone still holds (a session, a history), up to a sum of about that many
+  // bytes, the least recently used go first; those of the session being run stay in any case. Steps name
+  // systems of that list, which must outlive it.
+  explicit Evaluator(std::size_t bytes = std::size_t(2) << 30,
+    const std::vector<SystemRow>& rows = systems());
+  ~Evaluator();
+  Evaluator(const Evaluator&) = delete;
+  Evaluator& operator=(const Evaluator&) = delete;
+
+  struct Watch
+  {
+    // Polled while a step runs; true ends the run.
+    std::function<bool()> cancelled;
+    // Node, stage and share done of the node [0 to 1].
+    std::function<void(std::size_t node, const std::string& stage, double share)> progress;
+    // Whether details() will be called for all nodes.
+    bool details = false;
+  };
+
+  // One outcome a node. A node that fails is passed by, with its reason; the rest goes on. What was run
+  // before for the same steps in the same order on the same mesh is not run again. The same session gives the
+  // same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes before.
+  // What is known of a step already is taken where the same mesh comes to it, in place of a run; what a
+  // change of that step will need is made by prepare().
+  bool run(const Session& session,
+    const Watch& watch,
+    std::vector<Outcome>& outcomes,
+    const Laid* known = nullptr);
+
+  // What comes after the meshes: fills in the details of those outcomes of the last run that acted. Where the
+  // run was not watched for them, only of the last that each system ran. Returns false when it was cancelled:
+  // some are missing, and come with the next call for this session.
+  bool details(std::vector<Outcome>& outcomes, const Watch& watch);
+
+  // Gives back the work of the last steps, which their outcomes and another mesh do not need. To be called
+  // once their details are there.
+  void releaseWork();
+
+  // Computes what the next step of a system on this mesh will need whatever it is, and a change of one whose
+  // outcome was known without a run, until cancelled. Nothing depends on it but time.
+  void prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch);
+
+  // Steps run since the start, to see what was kept.
+  std::size_t runs() const { return this->Runs; }
+  // The instance that runs a system's steps, for what is shown of the last one: its inner outputs. Null where
+  // the list has no such system.
+  vtkOversketchSystem* system(const std::string& name);
+
+private:
+  // What an outcome depends on. Numbers are those of outcomes.
+  struct Place
+  {
+    std::weak_ptr<const void> made;    // the step, or the mesh that was opened; nobody makes one twice
+    std::vector<std::uint64_t> inputs; // what it takes: the mesh before it and what it refers to
+    int backend = 0;
+
+    bool operator<(const Place& other) const;
+  };
+  struct Kept
+  {
+    Place place;
+    std::optional<Outcome> outcome; // absent where it was given up: the number is known
+    std::size_t bytes = 0;
+    std::uint64_t used = 0; // by which run
+  };
+  // A run on its way.
+  struct Run;
+  // Who runs a system's steps, and whose outcome its last one is.
+  struct Runner;
+  // What the step of a part made, before it was put at its place.
+  struct Bare
+  {
+    Step step;
+    int backend = 0;
+    Outcome outcome;
+  };
+  using Inputs = std::map<std::string, vtkSmartPointer<vtkDataObject>>;
+
+  Runner* runner(const std::string& name);
+  std::uint64_t numberOf(const Place& place);
+  static std::size_t bytesOf(const Outcome& outcome);
+  void forget(); // what cannot come again
+  void giveUp(); // what is beyond the budget
+  bool runNode(Run& run, std::size_t index);
+  // Runs a node's step, whose outcome will have that number, and fills in the outcome. False when cancelled.
+  bool make(Run& run,
+    std::size_t index,
+    const Inputs& inputs,
+    std::uint64_t number,
+    const std::set<int>& ports,
+    Outcome& outcome);
+  // The same of a part, beside the mesh that came. What was made of the same drawing is not made again when
+  // the part is put elsewhere or that mesh changes.
+  bool makePart(Run& run,
+    std::size_t index,
+    const Inputs& inputs,
+    std::uint64_t number,
+    const std::set<int>& ports,
+    Outcome& outcome);
+  // Takes what is known of a node's step for its outcome; false where that cannot be.
+  bool takeKnown(Run& run, std::size_t index, const Inputs& inputs, const std::set<int>& ports);
+  // Why a step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they are.
+  std::string resolve(Run& run,
+    std::size_t index,
+    const SystemRow& row,
+    Inputs& inputs,
+    std::vector<std::uint64_t>& numbers);
+  // Of the last that it ran, where they are missing; false when cancelled.
+  bool finish(Runner& runner, const std::function<bool()>& cancelled);
+  vtkSmartPointer<vtkImageData> imageOf(const Image& image, SystemInput::Kind kind);
+
+  const std::vector<SystemRow>& Rows;
+  std::map<std::string, std::unique_ptr<Runner>> Runners; // by system
+  std::map<int, Bare> Parts;                              // by node
+  std::map<std::uint64_t, Kept> Outcomes;                 // what an outcome takes comes before it
+  std::map<Place, std::uint64_t> Numbers;
+  using Images = std::map<SystemInput::Kind, vtkSmartPointer<vtkImageData>>;
+  std::map<std::weak_ptr<const std::string>, Images, std::owner_less<>> Pictures;
+  std::size_t Budget;
+  std::uint64_t Last = 0, RunCount = 0;
+  std::size_t Runs = 0;
+};
+
+// The mesh that a session shows: what its last node made. Null where there is none yet.
+vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes);
+
+// Where it was made: OpenCL where any step ran there, else Host (vtkOversketchSystem::BackendType).
+int backendUsedBy(const std::vector<Outcome>& outcomes);
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,159 @@
+// Runs sessions on a thread of its own, so that an interface never waits: the newest session wins.
+#ifndef oversketch_applications_session_run_worker_h
+#define oversketch_applications_session_run_worker_h
+
+#include "evaluator.h"
+#include "parts.h"
+#include "session.h"
+#include "thumbnail.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace oversketch_session
+{
+
+class Worker
+{
+public:
+  // What a step acts on: the mesh that comes to it, and what it takes of other steps, by its inputs' names.
+  struct Ground
+  {
+    SharedData before;
+    std::map<std::string, SharedData> given;
+  };
+  // What one node did, for the history. What it acts on, of the last step that is on, where its system says
+  // so (SystemRow::changedOverInput).
+  struct NodeState : Ground
+  {
+    oversketch::Message failure, remark; // see Outcome
+    std::optional<Section> section;
+    SharedData hold; // the place itself, a polyline; null where it did nothing
+    bool elsewhere = false;
+    // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing, and
+    // before the details have come.
+    SharedData region;
+    std::shared_ptr<const Following> following;
+    double share = 0.0; // of the points of its mesh that it moved
+    // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
+    std::shared_ptr<const Thumbnail> picture;
+  };
+  // What a session made. The worker goes on with the meshes' points and cells, and changes none.
+  struct Result
+  {
+    std::uint64_t ticket = 0;
+    std::vector<NodeState> nodes;
+    SharedData mesh;      // that the session shows; null where it has made none yet
+    SharedData display;   // the same with point normals, computed where it has none
+    PartSources parts;    // of it
+    int backendUsed = 0;  // vtkOversketchSystem::BackendType
+    double seconds = 0.0; // that the run took
+  };
+  // What comes after it, while the mesh is being shown.
+  struct Details
+  {
+    std::uint64_t ticket = 0;
+    std::vector<NodeState> nodes; // those of the result, whole
+    std::string digest;           // digestOf(mesh); empty where there is no mesh
+  };
+  // Called on the worker's thread. Each session is answered once: done, or cancelled where a newer one
+  // replaced it or it was cancelled. Details follow on done once it has been seen, or after a while, unless
+  // something newer is to be run first.
+  struct Listener
+  {
+    std::function<void(Result)> done;
+    std::function<void(Details)> detailed;
+    std::function<void(std::uint64_t ticket)> cancelled;
+    std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
+      progress;
+    // The mesh of a session that was only looked at, as Result::display; null where it makes none.
+    std::function<void(SharedData)> glanced;
+    // What was asked for by that number.
+    std::function<void(std::uint64_t number, Ground)> grounded;
+    // While nothing else is to be run, after all that: each step's stroke on the mesh that the session shows
+    // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
+    std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
+    std::function<void(std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail>)> pictured;
+  };
+
+  explicit Worker(Listener listener);
+  // Cancels what runs and waits for it.
+  ~Worker();
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
+  // The session's data must not be changed afterwards. What is known of one of its steps need not be made
+  // (Evaluator::run). Returns the ticket, one more than the last.
+  std::uint64_t submit(Session session, std::shared_ptr<const Laid> known = nullptr);
+  // The result of a ticket is on screen: what comes after it may take the processors.
+  void seen(std::uint64_t ticket);
+  // Stops what runs or waits, if anything does.
+  void cancel();
+  // Of more triangles than these a step's work is not kept for a stroke over the same place, which then makes
+  // it anew: it takes some 400 bytes each. For the next session; 500,000 by default.
+  void keepWorkUpTo(vtkIdType triangles) { this->MostKept = triangles; }
+  // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
+  // last one it is there. The newest such session wins, and a session that is submitted before it.
+  void glance(Session session);
+  // Likewise, what the last step of a session acts on. Returns the number of the asking.
+  std::uint64_t ground(Session session);
+
+private:
+  void work();
+  void runOne(std::uint64_t ticket, const Session& session, const Laid* known);
+  // What is asked for beside the session that runs.
+  void runAside(std::uint64_t ticket);
+  void runGlance(std::uint64_t ticket, const Session& session);
+  void runGround(std::uint64_t ticket, const Session& session, std::uint64_t number);
+  // Fills in both meshes.
+  void show(vtkPolyData* mesh, Result& result);
+  // What the outcomes are, as copies; of those that were copied for the last session the same ones.
+  std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
+  // What is shown of the steps beside the mesh, until something else is to be done.
+  void trace(std::uint64_t ticket,
+    const Session& session,
+    const std::vector<Outcome>& outcomes,
+    vtkPolyData* shown);
+  void picture(std::uint64_t ticket,
+    const Session& session,
+    const std::vector<Outcome>& outcomes,
+    const std::function<bool()>& cancelled);
+  // Adds what the last step that is on acts on.
+  void addInputs(const Session& session,
+    const std::vector<Outcome>& outcomes,
+    std::vector<NodeState>& states);
+
+  Listener Report;
+  Evaluator Runner;
+  std::map<std::uint64_t, NodeState> Copied; // by the outcomes' numbers
+  // Likewise, also of steps that are off or undone for now.
+  std::map<std::uint64_t, std::shared_ptr<const Thumbnail>> Pictures;
+  vtkSmartPointer<vtkPolyData> Shown, Display; // the last mesh, and the same with normals
+  vtkSmartPointer<vtkPolyData> Came;           // the mesh that the last step acts on, and its copy
+  SharedData CopyOfCame;
+  std::mutex Mutex;
+  std::condition_variable Wake;
+  std::optional<Session> Next, Running, Glance, Grounded;
+  std::shared_ptr<const Laid> Known;         // of the next one
+  std::uint64_t Number = 0;                  // of the last such asking
+  std::uint64_t Ticket = 0;                  // of the newest session
+  std::uint64_t Seen = 0;                    // of the newest result that was
+  std::atomic<std::uint64_t> Wanted{ 0 };    // the ticket that may run; all others are to stop
+  std::atomic<bool> Waiting{ false };        // a session does, so nothing is to be prepared
+  std::atomic<vtkIdType> MostKept{ 500000 }; // triangles
+  bool Stop = false;
+  std::thread Thread;
+};
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,56 @@
+// A drawing's strokes, one by one: a step of a system that makes a mesh of a drawing holds all of them, and
+// each can be changed, switched off and taken away.
+#ifndef oversketch_applications_session_scene_drawing_lines_h
+#define oversketch_applications_session_scene_drawing_lines_h
+
+#include "step.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace oversketch_session
+{
+
+struct DrawnStroke
+{
+  vtkSmartPointer<vtkPolyData> line; // one polyline with its arrays
+  bool on = true;                    // off: the system does not get it
+};
+
+// In their order; none where the data are no polylines. Which are on is cell array On, absent where all are.
+std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing);
+
+// The other way, with the field arrays of another drawing.
+vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, vtkPolyData* like);
+
+// What a system gets: the strokes that are on, without the array. Data without the array are handed back.
+vtkSmartPointer<vtkPolyData> strokesThatAreOn(vtkPolyData* drawing);
+
+// 0 fill, 1 hole, 2 tunnel.
+int treatmentOf(vtkPolyData* line);
+
+// A first step that makes a mesh of what will be drawn: over a picture, the bytes of a PNG or JPEG file; on
+// an empty canvas of that size. Throws oversketch_files::Failed for what is no picture.
+std::shared_ptr<const Step> drawingOver(const Image& picture);
+std::shared_ptr<const Step> drawingOn(double width, double height);
+// The same over a picture, as a part of its size, in its own units, about a place.
+std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place);
+
+// The picture that a step's drawing is over; null where it is over none.
+const Image* pictureUnder(const Step& step);
+// What a step's drawing is drawn on: left, bottom, right, top; zeros where nothing tells.
+std::array<double, 4> canvasOf(const Step& step);
+
+// The same step with another drawing.
+Step withDrawing(const Step& step, vtkPolyData* drawing);
+
+extern const char* const drawingSystem; // "InflateDrawing"
+extern const char* const strokesInput;  // "Strokes", its input beside the picture
+extern const char* const pictureInput;  // "Picture"
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,242 @@
+// The systems that a session's steps may name, each with its inputs and parameters: the one list that
+// evaluator, session file, command, report and panel read. To add a system: a row in systems.cxx.
+#ifndef oversketch_applications_session_scene_systems_h
+#define oversketch_applications_session_scene_systems_h
+
+#include "step.h"
+
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+class vtkOversketchSystem;
+
+namespace oversketch_session
+{
+
+// A value of a parameter that is one of a few.
+struct Choice
+{
+  std::string word;  // "off": in files and on command lines
+  std::string title; // "never": in a window
+};
+
+struct Parameter
+{
+  std::string property;           // as the class calls it: SetRemesh, GetRemesh
+  std::string word;               // "remesh": --remesh on a command line
+  std::string title;              // "New triangles": in a window
+  std::string help;               // a line; ends without a stop
+  std::vector<Choice> choices;    // of an int that counts them from 0; empty for others
+  std::vector<Choice> offers;     // of a text: what a form offers beside what is typed; empty: no field
+  double least = 0.0, most = 0.0; // of a number, that a form offers; equal: any
+  bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
+  bool isFile = false;            // of a text: a command line names a JSON file that says it
+  bool isList = false;            // of a text: a command line may add to it, by the same option given again
+  std::string actsWith;           // the input without which it has no effect; empty for none
+  std::function<void(vtkOversketchSystem*, const Value&)> set;
+  std::function<Value(vtkOversketchSystem*)> get;
+  Value initial; // of a fresh instance; its alternative is that of all values of the parameter
+};
+
+// Two counts or lengths that a command line gives at once: "--quads 64x48", the second where it is not the
+// default.
+struct Pair
+{
+  std::string word, first, second; // "quads", and the properties
+  std::string help;                // a line; ends without a stop
+};
+
+// What a command line adds to a text, any number of times: "--move 0.5,n,3%" for "move 0.5 n 12.7".
+struct Phrase
+{
+  std::string word, property; // "move", "Operations"
+  // "T,AXIS,LENGTH": numbers, but AXIS, which is t, w or n; LENGTH may be a share of the mesh's size.
+  std::string fields;
+  std::string help; // a line; ends without a stop
+};
+
+struct SystemInput
+{
+  enum class Kind
+  {
+    Mesh,   // what the step before made, unless a step names another
+    Stroke, // lines in pixels with the view that they were drawn in
+    Curves, // lines on the mesh
+    Picture,
+    Heights // a grid of them, from a file that may be a picture
+  };
+
+  std::string name; // "Stroke"
+  std::string word; // "stroke": STROKE.vtp on a command line, --stroke where it may be absent
+  std::string help; // a line; ends without a stop
+  Kind kind = Kind::Mesh;
+  int port = 0;
+  bool optional = false;
+  bool byOption = false;  // it must be there, and a command line names it by an option, too
+  bool orNumbers = false; // of lines: a command line may give one as its places, "0 0, 0.4 0.3, 1 0"
+};
+
+// Whether it is given as the bytes of a file.
+inline bool isImage(SystemInput::Kind kind)
+{
+  return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;
+}
+
+// Output port 0 of every system is the mesh that the next step gets.
+struct SystemRow
+{
+  std::string name;  // "OneStroke", of vtkOversketchOneStroke
+  std::string verb;  // "one-stroke": of the command
+  std::string title; // "Stroke": a step of it, in a window
+  std::string brief; // what it does, in a few words that follow on the verb
+  std::string help;  // the same in sentences
+  vtkSmartPointer<vtkOversketchSystem> (*make)() = nullptr;
+  std::vector<SystemInput> inputs;
+  std::vector<Parameter> parameters;
+  std::vector<Pair> pairs;     // of parameters, which then have no options of their own
+  std::vector<Phrase> phrases; // likewise
+  // The values with which its output's points keep their ids, so that a step that acts on both sides of a
+  // mirror plane can move points with their partners; where these have none its own values hold
+  // (SystemRunner::run). Null: points never keep their ids.
+  std::optional<Values> mirrored;
+  // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
+  // and the same in the mirror.
+  bool reflectsStrokes = false;
+  // It acts on both sides by two runs, whatever the points (SystemRunner::run).
+  bool runsTwice = false;
+  // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
+  std::string worn;
+  // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
+  std::string wornBehind;
+  // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
+  bool skin = false;
+  // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
+  // what is prepared for the next one.
+  bool followsHand = false;
+  // A hand changes its last step over the mesh that comes to it: an interface is given that mesh, and the
+  // curves that the step takes of others (Worker::NodeState).
+  bool changedOverInput = false;
+  // What else the class lets be set, each with the reason why no step holds it.
+  std::map<std::string, std::string> leftOut;
+};
+
+// Those that are built.
+const std::vector<SystemRow>& systems();
+
+// By name or by verb; null where there is none.
+const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
+const SystemRow* findVerb(const std::string& verb);
+
+// Whether its steps can have a mirror plane.
+inline bool actsOnBothSides(const SystemRow& row)
+{
+  return row.mirrored || row.reflectsStrokes || row.runsTwice;
+}
+
+const Parameter* findParameter(const SystemRow& row, const std::string& property);
+const SystemInput* findInput(const SystemRow& row, const std::string& name);
+// The first input of a kind, null where there is none.
+const SystemInput* findInput(const SystemRow& row, SystemInput::Kind kind);
+
+// The words of its choices.
+std::vector<std::string> wordsOf(const Parameter& parameter);
+// What a step's parameter is: its value, or the default.
+const Value& valueOf(const Step& step, const Parameter& parameter);
+
+// Why no system of the list can run the step, whatever its inputs hold: the name of the system, of a
+// parameter or of an input is unknown, or a value is none of the parameter's. Empty where one can.
+std::string faultOf(const Step& step, const std::vector<SystemRow>& rows = systems());
+
+// The words of vtkOversketchSystem::BackendType, in files and on command lines.
+const std::vector<std::string>& backendWords();
+
+// For rows: a parameter of the class T by its setter and getter.
+template <typename T, typename Setter, typename Getter>
+Parameter parameter(const std::string& property,
+  const std::string& word,
+  const std::string& title,
+  const std::string& help,
+  Setter setter,
+  Getter getter,
+  std::vector<Choice> choices = {})
+{
+  using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
+  constexpr bool isText = std::is_same_v<Got, const char*>;
+  using Held = std::conditional_t<isText, std::string, Got>;
+  Parameter made;
+  made.property = property;
+  made.word = word;
+  made.title = title;
+  made.help = help;
+  made.choices = std::move(choices);
+  made.set = [setter](vtkOversketchSystem* system, const Value& value)
+  {
+    if constexpr (isText)
+    {
+      (static_cast<T*>(system)->*setter)(std::get<Held>(value).c_str());
+    }
+    else
+    {
+      (static_cast<T*>(system)->*setter)(std::get<Held>(value));
+    }
+  };
+  made.get = [getter](vtkOversketchSystem* system) -> Value
+  { return Held((static_cast<T*>(system)->*getter)()); };
+  return made;
+}
+
+// The same with what a form offers of a number.
+inline Parameter between(double least, double most, Parameter made)
+{
+  made.least = least;
+  made.most = most;
+  return made;
+}
+
+// The same with what a form offers of a text.
+inline Parameter offering(std::vector<Choice> offers, Parameter made)
+{
+  made.offers = std::move(offers);
+  return made;
+}
+
+// The same of a text that a command line takes from a file.
+inline Parameter fromFile(Parameter made)
+{
+  made.isFile = true;
+  return made;
+}
+
+// The same of a text that a command line may add to.
+inline Parameter listing(Parameter made)
+{
+  made.isList = true;
+  return made;
+}
+
+// The same of one that has no effect without an input.
+inline Parameter actingWith(const std::string& input, Parameter made)
+{
+  made.actsWith = input;
+  return made;
+}
+
+// The same of a length.
+inline Parameter length(Parameter made)
+{
+  made.isLength = true;
+  return made;
+}
+
+// The row with the defaults of a fresh instance.
+SystemRow withDefaults(SystemRow row);
+
+} // namespace oversketch_session
+#endif

@@ -1,0 +1,24 @@
+// What takes long, such as a large file, on a thread of its own: the window says that it goes on, and it can
+// be given up.
+#ifndef oversketch_applications_studio_document_long_work_h
+#define oversketch_applications_studio_document_long_work_h
+
+#include <QString>
+
+#include <functional>
+
+class QWidget;
+
+namespace oversketch_studio
+{
+
+// Returns once `work` is done, true, or the user has given it up, false: then no file that it writes
+// comes to its place, and it must not use what may end before the program. Throws what it throws. After a
+// moment `what` is said in a dialogue with a button for giving it up.
+bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work);
+// Whether one goes on: nothing else is to be begun; and what was said of it.
+bool isLongWorkGoing();
+QString longWorkGoing();
+
+} // namespace oversketch_studio
+#endif

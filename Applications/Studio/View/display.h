@@ -1,0 +1,74 @@
+// How the model is looked at: its shading, the ground, what it was over it or instead of it.
+#ifndef oversketch_applications_studio_view_display_h
+#define oversketch_applications_studio_view_display_h
+
+#include "ground_grid.h"
+#include "model_view.h"
+#include "resting_views.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+
+class vtkActor;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class Display
+{
+public:
+  Display(vtkRenderer* renderer, ModelView& model);
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+  // The camera looks at all of a box from the front, at one that lies flat where z is up from above, in a
+  // view of that size [px], and the ground lies under it. `up`: 1 for y, 2 for z.
+  void lookAtAll(const double box[6], const int size[2], int up);
+  // From where it looks now, so that all of the models is in the picture and fills it.
+  void fitAll(const int size[2]);
+  // The camera steps back where not all of the models is in the picture, in a view of that size.
+  void showWhole(const int size[2]);
+
+  // Pictures and colours that models wear are seen, or not.
+  void setShading(Shading shading, bool pictures);
+  void setGround(bool shown);
+  bool ground() const { return this->Ground; }
+  // Another mesh, translucent over the model; null: none.
+  void showOnion(vtkPolyData* mesh);
+  bool onion() const;
+  // Another mesh instead of the model; null: the model again.
+  void showInstead(vtkPolyData* mesh);
+  bool instead() const { return this->Other != nullptr; }
+
+  // The models beside it.
+  RestingViews& others() { return this->Others; }
+
+  void setDark(bool dark);
+  void setPlain(double red, double green, double blue);
+  // The ground and the onion, for a picture without them.
+  void setOverlays(bool shown);
+
+private:
+  void stepBack(const double box[6], const int size[2]);
+
+  vtkRenderer* Renderer; // outlives it
+  ModelView& Model;
+  RestingViews Others{ this->Renderer };
+  GroundGrid Grid;
+  vtkNew<vtkPolyDataMapper> OnionMappers[2];
+  vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
+  std::unique_ptr<ModelView> Other; // while it is shown
+  Shading Look = Shading::Smooth;
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+  bool Ground = false, Pictures = true;
+};
+
+} // namespace oversketch_studio
+#endif

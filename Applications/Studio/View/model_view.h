@@ -1,0 +1,66 @@
+// The model in the view. Parts of it that wear pictures of their own are drawn each by itself.
+#ifndef oversketch_applications_studio_view_model_view_h
+#define oversketch_applications_studio_view_model_view_h
+
+#include "shading.h"
+
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <memory>
+#include <set>
+#include <vector>
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class ModelView
+{
+public:
+  explicit ModelView(vtkRenderer* renderer);
+  ~ModelView();
+  ModelView(const ModelView&) = delete;
+  ModelView& operator=(const ModelView&) = delete;
+
+  // Shows a mesh in what it wears, instead of the last, where it is not the same; shows none.
+  void show(vtkPolyData* mesh);
+  void clear();
+  // The same mesh moved, in the same skins.
+  void preview(vtkPolyData* mesh);
+  vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
+  bool owns(const vtkActor* actor) const;
+
+  // Whether what it wears is seen.
+  void setShading(Shading shading, bool pictures);
+  void setVisible(bool visible);
+  // Draws no faces that others hide, where that can be told, or all.
+  void hideBacks(bool hide);
+  // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
+  void hide(const std::set<int>& parts);
+
+  // The colour of what wears nothing.
+  void setPlain(double red, double green, double blue);
+
+private:
+  struct Part;
+  void resize(std::size_t count);
+  void shadePart(Part& part) const;
+
+  vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
+
+  vtkRenderer* Renderer; // outlives it
+  std::set<int> Hidden;
+  std::vector<std::unique_ptr<Part>> Parts;
+  vtkSmartPointer<vtkPolyData> Shown;
+  vtkSmartPointer<vtkPolyData> Dressed; // that one, until it is moved
+  Shading Look = Shading::Smooth;
+  bool Visible = true, Pictures = true;
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+};
+
+} // namespace oversketch_studio
+#endif

@@ -1,0 +1,50 @@
+// The models beside the one that is worked on, in the view: a little darker.
+#ifndef oversketch_applications_studio_view_resting_views_h
+#define oversketch_applications_studio_view_resting_views_h
+
+#include "mesh_picker.h"
+#include "model_view.h"
+#include "models.h"
+
+#include "vtkBoundingBox.h"
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class RestingViews
+{
+public:
+  explicit RestingViews(vtkRenderer* renderer);
+  ~RestingViews();
+  RestingViews(const RestingViews&) = delete;
+  RestingViews& operator=(const RestingViews&) = delete;
+
+  // Those of a scene that are shown.
+  void show(const oversketch_session::SceneModels& scene);
+  void setShading(Shading shading, bool pictures);
+  void setPlain(double red, double green, double blue);
+
+  // A box with theirs.
+  vtkBoundingBox box(const double with[6]) const;
+  // The id of the one that is seen at a place of the picture [px from its lower left corner]; none where the
+  // model that is worked on is, or nothing.
+  std::optional<int> at(int x, int y);
+
+private:
+  vtkRenderer* Renderer;                           // outlives it
+  std::map<int, std::unique_ptr<ModelView>> Views; // by the models' ids
+  oversketch::MeshPicker Picker;
+  Shading Look = Shading::Smooth;
+  bool Pictures = true;
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+};
+
+} // namespace oversketch_studio
+#endif

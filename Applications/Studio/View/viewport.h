@@ -1,0 +1,154 @@
+// The model in a Qt widget: window, light, camera, frames. What the left button does is a tool's.
+#ifndef oversketch_applications_studio_view_viewport_h
+#define oversketch_applications_studio_view_viewport_h
+
+#include "backdrop.h"
+#include "display.h"
+#include "hand_gestures.h"
+#include "hint.h"
+#include "mirror_sheet.h"
+#include "model_view.h"
+#include "moved_region.h"
+#include "session.h"
+
+#include "vtkNew.h"
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <array>
+#include <optional>
+#include <set>
+
+class QTimer;
+class vtkActor;
+class vtkCallbackCommand;
+class vtkGenericOpenGLRenderWindow;
+class vtkLightKit;
+class vtkOversketchInteractorStyle;
+class vtkPolyData;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace oversketch_studio
+{
+
+class Tool;
+
+class Viewport : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  explicit Viewport(QWidget* parent = nullptr);
+  ~Viewport() override;
+
+  // Takes a tool up, instead of the last.
+  void setTool(Tool* tool);
+  Tool* tool() const { return this->CurrentTool; }
+
+  // Shows a mesh instead of the last; with `reset` the camera looks at all of it from the front.
+  void showMesh(vtkPolyData* mesh, bool reset);
+  // Shows none.
+  void clearMesh();
+  // The mesh as a tool shows it meanwhile, with the same skin.
+  void showPreview(vtkPolyData* mesh);
+  vtkPolyData* mesh() const; // null where none is shown
+  // Parts of the mesh that are not drawn (ModelView::hide).
+  void hideParts(const std::set<int>& parts);
+  // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
+  // something.
+  void awaitMesh();
+  // Another mesh instead of it, to compare; null shows it again.
+  void showInstead(vtkPolyData* mesh);
+  // Where a step took hold (blue); null shows none.
+  void showSection(vtkPolyData* section);
+  // The part of the model that a step moved (orange); null shows none.
+  void showRegion(vtkPolyData* region);
+  void showMirror(const std::optional<oversketch_session::MirrorPlane>& plane);
+  // The pictures behind the model, each in the view that it was put there in.
+  void showPictures(const oversketch_session::Pictures& pictures);
+  // Where a picture of that size [px] fills the present view.
+  oversketch_session::Lines frameFor(int width, int height);
+  // Where to draw, with a line of text; empty shows none.
+  void showHint(const QString& text, HintShape shape = HintShape::Limb);
+  QString hint() const; // that is seen; empty where none is
+  const Hint& hintBox() const { return this->HintBox; }
+  void hideHint();
+  void setDark(bool dark);
+  // The camera that a stroke was drawn in, or a picture was put into the scene in.
+  void lookFrom(vtkPolyData* stroke);
+  // The camera goes so far off, or so near, that all is seen.
+  void fitAll();
+  // The world's axis that is up: 1 for y, 2 for z; it is looked at from the front, or as it was.
+  void setUpAxis(int axis, bool looksAnew);
+  void showKeys(bool show);
+  bool showsKeys() const;
+  // Writes what the window shows; without overlays only the model. Throws Failed.
+  void screenshot(const QString& path, bool overlays);
+
+  // For tools.
+  Display& display() { return this->Looks; }
+  vtkOversketchInteractorStyle* camera() { return this->Style; }
+  vtkRenderer* renderer() { return this->Renderer; }
+  // The size of the view that the camera is for [px of the screen]: what was whole in view stays whole when
+  // it becomes narrower than high (vtkOversketchInteractorStyle::FollowSize). It changes once the hand rests.
+  const std::array<int, 2>& fittedSize() const { return this->Fitted; }
+  void zoomAt(double factor, const QPointF& at); // a place of the widget
+  void setHandCursor(Qt::CursorShape shape);
+  // A frame with the next turn of the event loop, and at once.
+  void renderSoon();
+  void renderNow();
+
+signals:
+  // Key Return; the camera is about to be moved.
+  void returned();
+  void cameraMoves();
+  // Another mesh is shown, or none; the list of keys is, or no more.
+  void meshShown();
+  void keysShown();
+  // Lines over the model are to be shown, or not, for a picture.
+  void linesShown(bool show);
+
+protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void paintGL() override;
+  void resizeGL(int width, int height) override;
+
+private:
+  void makeScene();
+  void listen();
+  void heard(unsigned long event);
+  void render();
+  void paintNow();
+  void smoothEdges();
+  void renderSmooth();
+  void awaitNoMore();
+  void placeHint();
+  void fitScreen();
+  void fitCamera();
+
+  vtkNew<vtkGenericOpenGLRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkLightKit> Lights;
+  ModelView Model{ this->Renderer };
+  Display Looks{ this->Renderer, this->Model };
+  HandGestures Gestures{ this };
+  vtkNew<vtkPolyDataMapper> SectionMapper;
+  vtkNew<vtkActor> Section;
+  oversketch::MovedRegion Region;
+  MirrorSheet Mirror;
+  Backdrop Behind;
+  Hint HintBox;
+  vtkNew<vtkOversketchInteractorStyle> Style;
+  vtkNew<vtkCallbackCommand> Observer;
+  Tool* CurrentTool = nullptr;
+  std::array<int, 2> Fitted{ 1, 1 };
+  std::optional<bool> OnProcessor; // once there is a context to ask
+  QTimer* Await;                   // runs while a mesh is awaited
+  QTimer* Rest;                    // since the last frame, where the processor draws
+  bool RenderWaits = false, PaintWaits = false;
+};
+
+} // namespace oversketch_studio
+#endif

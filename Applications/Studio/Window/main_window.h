@@ -1,0 +1,198 @@
+// The window of oversketch-studio.
+#ifndef oversketch_applications_studio_window_main_window_h
+#define oversketch_applications_studio_window_main_window_h
+
+#include "document.h"
+#include "preferences.h"
+
+#include <QMainWindow>
+#include <QVector>
+
+#include <functional>
+#include <map>
+#include <string>
+
+class QAction;
+class QDockWidget;
+class QLabel;
+class QMenu;
+class QProgressBar;
+class QPushButton;
+class QSplitter;
+class QStackedWidget;
+class QTimer;
+class QToolBar;
+
+namespace oversketch_studio
+{
+
+class AdviceLabel;
+struct Example;
+class HistoryPanel;
+class OptionPresets;
+class ScenePanel;
+class StrokeLines;
+class Tool;
+class ViewMenu;
+class Viewport;
+
+class MainWindow : public QMainWindow
+{
+  Q_OBJECT
+
+public:
+  // Throws Failed where autosaves cannot be kept.
+  explicit MainWindow(QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  // Opens a mesh or a session, or says in a box why it cannot. Returns whether it did.
+  bool open(const QString& path);
+  // Offers what a crash left behind; true when it was opened.
+  bool offerRecovery();
+  // Begins a drawing over a picture, or says why it cannot; on an empty canvas where there is none. Returns
+  // whether it did.
+  bool openPicture(const QString& path);
+  // Opens the model that is shipped, with a line that says where to draw.
+  void openShippedModel();
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+private:
+  // Menus, strip of tools, bar of options, status bar: main_window_menus.cxx.
+  void makeMenus();
+  void makeToolMenu();
+  void makeViewMenu();
+  void makeTools();
+  void drawToolIcons();
+  void makeStatus();
+  QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys, const std::function<void()>& run);
+  QDockWidget* addDock(const QString& title, const QString& name, QWidget* panel);
+  void remember(const QString& path);
+  void fillRecent();
+  void fillExamples();
+  void placeForHand(bool left);
+
+  // Files: main_window_files.cxx. tried runs what may throw Failed and says why in a box; returns whether it
+  // went well.
+  bool tried(const std::function<void()>& run);
+  // Whether a long work may begin; says which one it has to wait for.
+  bool mayBegin();
+  void tell(const QStringList& notes);
+  // What is read on a thread of its own is shown, instead of what is there.
+  bool openRead(const QString& name, const std::function<Document::Opened()>& read);
+  bool openExample(const Example& example);
+  bool recover(const oversketch_session::LeftBehind& left, const QString& name);
+  bool saveTo(const QString& path);
+  void openAsked();
+  QString modelAsked(const QString& title); // a path; empty for none
+  void takeWhatIsTyped();
+  bool save();
+  bool saveAs();
+  void exportAsked();
+  void exportModel(int model, int part, const QString& name);
+  // As one mesh; of it that part, or -1 all.
+  void exportMeshes(const std::vector<oversketch_session::SharedData>& shown, int part, const QString& name);
+  void screenshot(bool lines);
+  // Whether what is not saved may be left.
+  bool mayLeave();
+
+  // Pictures: main_window_pictures.cxx.
+  QString pictureAsked(const QString& title);
+  void newFromPictureAsked();
+  void addPartAsked();
+  void addPicture(const QString& path);
+  void addPictureAsked();
+
+  // Models of the scene: main_window_models.cxx.
+  void listenToModels();
+  void addModelAsked();
+  void addModel(const QString& path);
+  // Chooses the one beside that is seen there [px of the view]; false where none is.
+  bool chooseModelAt(const QPoint& place);
+
+  // Rows of the history and their lines on the model: main_window_rows.cxx.
+  void listenToRows();
+  void clicked(const QPoint& place, int line);
+  bool leavesRows() const; // whether the tool in the hand lets a click and Escape leave the selected row
+  void chooseLine();
+  void tooShort(double least);
+
+  // The foot: main_window_advice.cxx.
+  void advise();
+  void hearRows();
+  void hush();
+  bool speak();
+  void offerAnyway(int row, const std::string& property);
+  void teach();
+  void stopTeaching();
+
+  void listenToDocument();
+  void listenToPanels();
+  void listenToTool(Tool* tool);
+  void changed(Document::Change change);
+  void stepDrawn(const oversketch_session::Step& step,
+    const std::shared_ptr<oversketch_session::Laid>& known);
+  void stepChanged(const oversketch_session::Step& step);
+  void stepRemade(const oversketch_session::Step& step,
+    const std::shared_ptr<oversketch_session::Laid>& known);
+  void opened();
+  void stepShaped(const oversketch_session::Values& values, bool goesOn);
+  void setTool(Tool* tool);
+  void selectDrawing(const Tool* tool);
+  // The one that draws steps of a node's system, the one in the hand before others; null where none does.
+  Tool* toolOf(int node) const;
+  void lookFrom(int node);
+  void askPreferences();
+  void apply(const Preferences& preferences);
+  void refresh();
+  void select(int node);
+  void showSection(int node); // where the step took hold
+  // The step that can be taken hold of: the selected one, else the last.
+  void offerStep();
+  int nodeMeant() const; // that one; -1: none
+  void offerNothing();
+  bool isNothingDrawn() const;
+  void showResult();
+  void showDetails();
+
+  Document* OpenDocument;
+  Viewport* View;
+  QVector<Tool*> Tools;
+  QVector<QAction*> ToolActions;   // of the same order
+  QVector<QDockWidget*> ToolDocks; // of the same order; null where a tool has no panel
+  QSplitter* Sides;                // the view, and what tools draw on that is not the model
+  QVector<QWidget*> Canvases;      // of the tools' order; null where a tool draws on the model
+  ScenePanel* Scene;
+  HistoryPanel* History;
+  ViewMenu* Look;
+  StrokeLines* Lines;
+  QToolBar* Strip = nullptr;
+  QStackedWidget* Options = nullptr; // of the tools, in their order
+  AdviceLabel* Advice;
+  QPushButton* Anyway; // does what a message asks for
+  QLabel* Mode;
+  QProgressBar* Progress;
+  QPushButton* Cancel;
+  QTimer* Patience; // progress is shown for what takes longer than a moment
+  QMenu *Recent = nullptr, *Examples = nullptr;
+  OptionPresets* Presets = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
+          *Region = nullptr;
+  QVector<QAction*> DockActions;
+  Preferences Settings;
+  int Redrawn = -1;                        // the step that the next one replaces
+  int Offered = -1;                        // the one that can be taken hold of in the view
+  int Speaks = -1;                         // the row whose words are at the foot; -1: none
+  std::map<int, oversketch::Message> Said; // by the rows' ids: what the last result had to say of each
+  std::function<void()> OnAnyway;
+  bool Reset = false;
+  bool Takes = true;    // the chosen model, steps
+  bool Teaches = false; // hints, until a step has been drawn or the model turned
+};
+
+} // namespace oversketch_studio
+#endif

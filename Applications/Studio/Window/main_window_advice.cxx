@@ -1,0 +1,192 @@
+// What the window's foot says: what to do next, what a step has to say, and the button that does what is
+// asked for.
+#include "main_window.h"
+
+#include "advice_label.h"
+#include "history_panel.h"
+#include "message_text.h"
+#include "system_strings.h"
+#include "systems.h"
+#include "tool.h"
+#include "viewport.h"
+
+#include <QMouseEvent>
+#include <QPushButton>
+
+#include <algorithm>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+// A pen that goes down.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::MouseButtonPress &&
+      static_cast<QMouseEvent*>(event)->button() == Qt::LeftButton)
+  {
+    this->hush();
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+// Where to draw with the tool in the hand, for who is new to it.
+void MainWindow::teach()
+{
+  const Tool* tool = this->View->tool();
+  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
+  {
+    this->View->showHint(tool->hint(), tool->hintShape());
+  }
+}
+
+void MainWindow::stopTeaching()
+{
+  this->Teaches = false;
+  this->View->showHint({});
+}
+
+// What a new result has to say: of the last step; else of another that has something new.
+void MainWindow::hearRows()
+{
+  if (this->OpenDocument->isBusy() || !this->OpenDocument->isOpen())
+  {
+    return;
+  }
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto& states = this->OpenDocument->result().nodes;
+  const auto before = std::exchange(this->Said, {});
+  this->Speaks = -1;
+  for (std::size_t i = 0; i < std::min(states.size(), nodes.size()); ++i)
+  {
+    const oversketch::Message& failure = states[i].failure;
+    const oversketch::Message& said = failure.empty() ? states[i].remark : failure;
+    if (nodes[i].on && !said.empty())
+    {
+      this->Said[nodes[i].id] = said;
+      const auto known = before.find(nodes[i].id);
+      const bool isNew = known == before.end() || known->second != said;
+      this->Speaks = isNew || i + 1 == states.size() ? static_cast<int>(i) : this->Speaks;
+    }
+  }
+}
+
+// The hand has gone on: what is at the foot would be read as said of what it draws now.
+void MainWindow::hush()
+{
+  if (std::exchange(this->Speaks, -1) >= 0)
+  {
+    this->advise();
+  }
+}
+
+// Whether a row has spoken.
+bool MainWindow::speak()
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto& states = this->OpenDocument->result().nodes;
+  const int row = this->Speaks, last = this->OpenDocument->shownTo() - 1;
+  const bool isThere = this->Redrawn < 0 && row >= 0 && row <= last && indexOf(row) < nodes.size() &&
+                       states.size() == indexOf(last + 1) && this->Said.count(nodes[indexOf(row)].id) > 0;
+  if (!isThere)
+  {
+    return false;
+  }
+  const auto& state = states[indexOf(row)];
+  const Tool* tool = this->toolOf(row);
+  const QString of =
+    row == last ? QString() : tr("%1: ").arg(QString::fromStdString(nodes[indexOf(row)].name));
+  this->Advice->setText(
+    of + (!state.failure.empty() ? tr("That did nothing: %1").arg(briefWords(state.failure))
+                                 : briefWords(state.remark) + (tool ? ' ' + tool->remedy() : QString())));
+  this->offerAnyway(row, askedFor(state.failure));
+  return true;
+}
+
+// Where a message asks for an option of its step, a button gives it.
+void MainWindow::offerAnyway(int row, const std::string& property)
+{
+  const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
+  const SystemRow* system = findSystem(step.system);
+  const Parameter* parameter = system ? findParameter(*system, property) : nullptr;
+  const bool can = parameter && std::holds_alternative<bool>(parameter->initial);
+  this->Anyway->setVisible(can);
+  if (!can)
+  {
+    return;
+  }
+  this->Anyway->setText(property == "AllowTorn" ? tr("&Do it anyway")
+                        : property == "Arrange" ? tr("&Let lines cross")
+                                                : rowText(parameter->title));
+  this->Anyway->setToolTip(rowSentence(parameter->help));
+  this->OnAnyway = [this, id = this->OpenDocument->session().nodes[indexOf(row)].id, property]
+  {
+    const auto& nodes = this->OpenDocument->session().nodes;
+    const auto node =
+      std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
+    if (node != nodes.end() && !this->View->tool()->isBusy())
+    {
+      Values values = node->step->values;
+      values[property] = true;
+      this->View->setFocus();
+      this->OpenDocument->setParameters(static_cast<int>(node - nodes.begin()), values, node->step->mirror);
+    }
+  };
+}
+
+// What to do next.
+void MainWindow::advise()
+{
+  this->teach();
+  this->Anyway->hide();
+  Tool::Situation situation;
+  const Tool* tool = this->View->tool();
+  const int own = tool->node(); // of which the tool speaks itself
+  if (tool->judges() && !(own >= 0 && this->Speaks != own && this->speak()))
+  {
+    this->Advice->setText(tool->advice(situation));
+    if (own >= 0)
+    {
+      this->offerAnyway(own, tool->asked());
+    }
+    return;
+  }
+  if (tool->judges())
+  {
+    return; // another row has spoken
+  }
+  if (!this->OpenDocument->isOpen())
+  {
+    this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
+    return;
+  }
+  if (const QString why = this->OpenDocument->whyNoSteps(); !why.isEmpty())
+  {
+    this->Advice->setText(why);
+    return;
+  }
+  if (this->speak())
+  {
+    return;
+  }
+  const auto& nodes = this->OpenDocument->session().nodes;
+  if (const int row = this->History->current(); tool->system() != "Augment" && row >= 0 &&
+                                                indexOf(row) < nodes.size() &&
+                                                nodes[indexOf(row)].step->system == "Terrain")
+  {
+    this->Advice->setText(tr("Terrain: Scale makes it steeper; B draws ridges and rivers."));
+    return;
+  }
+  situation.empty = nodes.empty();
+  // Blue and red are of the tool's own steps.
+  const auto isOwn = [&](int row)
+  { return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == tool->system(); };
+  situation.selected = isOwn(this->History->current());
+  situation.holds = isOwn(this->Offered);
+  situation.redraws = this->Redrawn >= 0;
+  this->Advice->setText(tool->advice(situation));
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,485 @@
+#include "main_window.h"
+
+#include "advice_label.h"
+#include "examples.h"
+#include "exporting.h"
+#include "files.h"
+#include "heights.h"
+#include "history_panel.h"
+#include "long_work.h"
+#include "mesh_file.h"
+#include "models.h"
+#include "picture_files.h"
+#include "pieces.h"
+#include "resources.h"
+#include "system_strings.h"
+#include "scene_panel.h"
+#include "tool.h"
+#include "viewport.h"
+
+#include <QAbstractSpinBox>
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLineEdit>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+using oversketch_files::Failed;
+
+namespace
+{
+
+// "*.obj *.ply": of extensions with blanks between.
+QString patternsOf(const char* extensions)
+{
+  QString patterns;
+  for (const QString& extension : QString::fromLatin1(extensions).split(' '))
+  {
+    patterns += " *" + extension;
+  }
+  return patterns.mid(1);
+}
+
+// Where the session lies, else where the last one was saved, else where the model or the picture is from; not
+// among the program's own files, nor where nothing can be written.
+QString folderToSaveIn(const QString& session)
+{
+  const QSettings settings;
+  const QFileInfo own(QFileInfo(shippedModel()).dir().filePath(".."));
+  for (const QString& folder : { session.isEmpty() ? QString() : QFileInfo(session).absolutePath(),
+         settings.value("saveFolder").toString(),
+         settings.value("folder").toString() })
+  {
+    const QFileInfo info(folder);
+    const bool isOwn = own.exists() && info.canonicalFilePath().startsWith(own.canonicalFilePath());
+    if (!folder.isEmpty() && info.isDir() && info.isWritable() && !isOwn)
+    {
+      return folder;
+    }
+  }
+  return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+} // namespace
+
+bool MainWindow::tried(const std::function<void()>& run)
+{
+  try
+  {
+    run();
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    QMessageBox::critical(this, tr("Oversketch"), tr("Out of memory; the file is too large or damaged."));
+  }
+  catch (const std::exception& error)
+  {
+    QMessageBox::critical(this, tr("Oversketch"), QString::fromStdString(error.what()));
+  }
+  return false;
+}
+
+bool MainWindow::mayBegin()
+{
+  const QString what = longWorkGoing();
+  if (!what.isEmpty())
+  {
+    this->Advice->setText(tr("%1 Wait until that is done, or cancel it.").arg(what));
+  }
+  return what.isEmpty();
+}
+
+void MainWindow::tell(const QStringList& notes)
+{
+  if (!notes.isEmpty())
+  {
+    QMessageBox::information(this, tr("Oversketch"), notes.join('\n'));
+  }
+}
+
+// A picture is drawn over, or its greys are heights.
+bool MainWindow::open(const QString& path)
+{
+  const QString suffix = QFileInfo(path).suffix().toLower();
+  if (pictureExtensions().contains(suffix) && findSystem(drawingSystem))
+  {
+    const bool canBeHeights =
+      oversketch_files::isHeightsExtension("." + suffix.toStdString()) && findSystem("Terrain");
+    QPushButton* over = nullptr;
+    QMessageBox box(QMessageBox::Question,
+      tr("Oversketch"),
+      tr("What is %1 for?").arg(QFileInfo(path).fileName()),
+      {},
+      this);
+    over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
+    QPushButton* heights = box.addButton(tr("Take it as &heights"), QMessageBox::AcceptRole);
+    QPushButton* none = box.addButton(QMessageBox::Cancel);
+    none->setText(tr("&Cancel"));
+    box.setDefaultButton(over);
+    if (canBeHeights)
+    {
+      box.exec();
+    }
+    if (!canBeHeights || box.clickedButton() == over)
+    {
+      return this->openPicture(path);
+    }
+    if (box.clickedButton() != heights)
+    {
+      return false;
+    }
+  }
+  const int backend = this->OpenDocument->backend();
+  const bool opened =
+    this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
+  if (opened)
+  {
+    this->remember(path);
+  }
+  return opened;
+}
+
+bool MainWindow::openExample(const Example& example)
+{
+  const int backend = this->OpenDocument->backend();
+  return this->openRead(example.title, [example, backend] { return readExample(example, backend); });
+}
+
+bool MainWindow::openRead(const QString& name, const std::function<Document::Opened()>& read)
+{
+  if (!this->mayBegin() || !this->mayLeave())
+  {
+    return false;
+  }
+  const auto opened = std::make_shared<Document::Opened>();
+  bool done = false;
+  this->tried(
+    [&] { done = doLongWork(this, tr("Reading %1…").arg(name), [opened, read] { *opened = read(); }); });
+  if (!done)
+  {
+    return false;
+  }
+  this->Redrawn = -1;
+  this->stopTeaching();
+  const QStringList notes = opened->notes;
+  this->OpenDocument->open(std::move(*opened));
+  this->tell(notes);
+  return true;
+}
+
+bool MainWindow::recover(const LeftBehind& left, const QString& name)
+{
+  const int backend = this->OpenDocument->backend();
+  bool done = false;
+  this->tried(
+    [&]
+    {
+      const auto read = std::make_shared<Document::Opened>();
+      const QString folder = QString::fromStdString(left.folder);
+      done = doLongWork(this,
+        tr("Reading %1…").arg(name),
+        [read, folder, backend] { *read = Document::read(folder, backend); });
+      if (done)
+      {
+        this->OpenDocument->recover(left, std::move(*read));
+      }
+    });
+  return done;
+}
+
+bool MainWindow::offerRecovery()
+{
+  for (const LeftBehind& left : leftBehind(autosaveRoot()))
+  {
+    const QString name = left.path.empty() ? QString::fromStdString(left.meshName)
+                                           : QFileInfo(QString::fromStdString(left.path)).fileName();
+    QMessageBox box(QMessageBox::Question,
+      tr("Oversketch"),
+      tr("Oversketch ended before your work on %1 was saved. Open it again?").arg(name),
+      QMessageBox::NoButton,
+      this);
+    const QString time = QLocale().toString(QDateTime::fromSecsSinceEpoch(left.time), QLocale::ShortFormat);
+    box.setInformativeText(
+      left.strokes == 1
+        ? tr("Last changed %1. It has one step.").arg(time)
+        : tr("Last changed %1. It has %n steps.", nullptr, static_cast<int>(left.strokes)).arg(time));
+    QPushButton* again = box.addButton(tr("&Open it"), QMessageBox::AcceptRole);
+    QPushButton* away = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box.addButton(tr("&Ask next time"), QMessageBox::RejectRole);
+    box.setDefaultButton(again);
+    box.exec();
+    if (box.clickedButton() == again)
+    {
+      return this->recover(left, name);
+    }
+    if (box.clickedButton() == away)
+    {
+      removeLeftBehind(left);
+    }
+  }
+  return false;
+}
+
+void MainWindow::openShippedModel()
+{
+  const QString path = shippedModel();
+  const int backend = this->OpenDocument->backend();
+  if (!path.isEmpty() &&
+      this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); }))
+  {
+    this->Teaches = true;
+    this->teach();
+  }
+}
+
+QString MainWindow::modelAsked(const QString& title)
+{
+  return QFileDialog::getOpenFileName(this,
+    title,
+    QSettings().value("folder").toString(),
+    tr("Models and sessions (%1 *.oversketch);;Heights of a terrain (%2);;All files (*)")
+      .arg(patternsOf(oversketch_files::meshExtensions), patternsOf(oversketch_files::heightsExtensions)));
+}
+
+void MainWindow::openAsked()
+{
+  const QString path = this->modelAsked(tr("Open a model or a session"));
+  if (!path.isEmpty())
+  {
+    this->open(path);
+  }
+}
+
+// A number or a name that was not confirmed yet: else Ctrl+S would keep the session without it.
+void MainWindow::takeWhatIsTyped()
+{
+  QWidget* focused = this->focusWidget();
+  if (qobject_cast<QLineEdit*>(focused) || qobject_cast<QAbstractSpinBox*>(focused))
+  {
+    focused->clearFocus();
+    focused->setFocus();
+  }
+}
+
+bool MainWindow::save()
+{
+  this->takeWhatIsTyped();
+  const QString path = this->OpenDocument->path();
+  return path.isEmpty() ? this->saveAs() : this->saveTo(path);
+}
+
+bool MainWindow::saveTo(const QString& path)
+{
+  if (!this->mayBegin())
+  {
+    return false;
+  }
+  bool done = false;
+  const auto file = std::make_shared<const SessionFile>(this->OpenDocument->toSave());
+  this->tried(
+    [&]
+    {
+      done = doLongWork(this,
+        tr("Saving %1…").arg(QFileInfo(path).fileName()),
+        [path, file] { writeSession(path.toStdString(), *file); });
+    });
+  if (done)
+  {
+    this->OpenDocument->saved(path);
+    this->remember(path);
+    QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
+    this->Advice->setText(tr("Saved as %1.").arg(path));
+  }
+  return done;
+}
+
+bool MainWindow::saveAs()
+{
+  this->takeWhatIsTyped();
+  if (!this->OpenDocument->isOpen())
+  {
+    return false;
+  }
+  QString path = QFileDialog::getSaveFileName(this,
+    tr("Save the session"),
+    QDir(folderToSaveIn(this->OpenDocument->path()))
+      .filePath(QFileInfo(this->OpenDocument->name()).completeBaseName() + ".oversketch"),
+    tr("Sessions (*.oversketch)"));
+  if (path.isEmpty())
+  {
+    return false;
+  }
+  if (QFileInfo(path).suffix() != "oversketch")
+  {
+    path += ".oversketch";
+  }
+  return this->saveTo(path);
+}
+
+void MainWindow::exportAsked()
+{
+  if (this->OpenDocument->isOpen() && this->mayBegin())
+  {
+    this->exportMeshes(this->OpenDocument->shownMeshes(), -1, this->OpenDocument->name());
+  }
+}
+
+void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, const QString& name)
+{
+  if (shown.empty() || !shown.front())
+  {
+    return;
+  }
+  const auto wears = [](const SharedData& mesh) { return !oversketch_files::picturesOf(mesh).empty(); };
+  const bool wearsPicture = std::any_of(shown.begin(), shown.end(), wears);
+  const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName(), wearsPicture);
+  if (path.isEmpty())
+  {
+    return;
+  }
+  // The window looks at them meanwhile, and a writer keeps ranges in the arrays.
+  const auto meshes = std::make_shared<std::vector<SharedData>>();
+  for (vtkPolyData* mesh : shown)
+  {
+    auto copy = vtkSmartPointer<vtkPolyData>::New();
+    copy->DeepCopy(mesh);
+    meshes->emplace_back(std::move(copy));
+  }
+  const auto notes = std::make_shared<oversketch_files::Notes>();
+  this->tried(
+    [&]
+    {
+      const bool done = doLongWork(this,
+        tr("Exporting %1…").arg(QFileInfo(path).fileName()),
+        [meshes, part, path, notes]
+        {
+          const auto whole = joined({ meshes->begin(), meshes->end() });
+          meshes->clear(); // a large scene lies there once less
+          const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
+          oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
+        });
+      if (done)
+      {
+        const QString file = QFileInfo(path).fileName();
+        const bool keeps = keepsPicture(path);
+        const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
+                             : keeps
+                               ? tr("Exported %1 with its picture.").arg(file)
+                               : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
+        this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
+      }
+    });
+}
+
+void MainWindow::screenshot(bool lines)
+{
+  const QString folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  const QString name =
+    tr("Oversketch %1.png").arg(QDateTime::currentDateTime().toString("yyyy-MM-dd hh.mm.ss"));
+  QString path = QFileDialog::getSaveFileName(this,
+    lines ? tr("Save a picture of the model with lines and texts") : tr("Save a picture of the model"),
+    QDir(folder).filePath(name),
+    tr("Pictures (*.png)"));
+  if (path.isEmpty())
+  {
+    return;
+  }
+  if (QFileInfo(path).suffix() != "png")
+  {
+    path += ".png";
+  }
+  if (this->tried([&] { this->View->screenshot(path, lines); }))
+  {
+    this->Advice->setText(tr("Saved as %1.").arg(path));
+  }
+}
+
+bool MainWindow::mayLeave()
+{
+  this->takeWhatIsTyped();
+  if (!this->OpenDocument->isOpen() || !this->OpenDocument->isModified())
+  {
+    return true;
+  }
+  QMessageBox box(QMessageBox::Question,
+    tr("Oversketch"),
+    tr("Save the session of %1?").arg(this->OpenDocument->name()),
+    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel,
+    this);
+  box.setDefaultButton(QMessageBox::Save);
+  box.button(QMessageBox::Save)->setText(tr("&Save"));
+  box.button(QMessageBox::Discard)->setText(tr("&Discard"));
+  box.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
+  const int answer = box.exec();
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->save());
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  if (!this->mayBegin() || !this->mayLeave())
+  {
+    event->ignore();
+    return;
+  }
+  QSettings settings;
+  settings.setValue("geometry", this->saveGeometry());
+  settings.setValue("state", this->saveState());
+  this->OpenDocument->discardAutosave();
+  event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (event->mimeData()->hasUrls())
+  {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  const QList<QUrl> urls = event->mimeData()->urls();
+  event->acceptProposedAction();
+  if (urls.isEmpty())
+  {
+    return;
+  }
+  // Who dragged it need not wait for an answer to our questions.
+  const QString path = urls.first().toLocalFile();
+  const bool onScene = this->Scene->rect().contains(this->Scene->mapFrom(this, event->pos()));
+  QTimer::singleShot(0,
+    this,
+    [this, path, onScene]
+    {
+      // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
+      // What is both, a TIFF, is a grid of heights sooner.
+      const QString kind = QFileInfo(path).suffix().toLower();
+      const bool isPicture = pictureExtensions().contains(kind) && !kind.startsWith("tif");
+      const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;
+      const bool isBehind =
+        this->OpenDocument->isOpen() && !this->Canvases[this->Tools.indexOf(this->View->tool())];
+      isPicture ? (isBehind ? this->addPicture(path) : void(this->openPicture(path)))
+      : isModel ? this->addModel(path)
+                : void(this->open(path));
+    });
+}
+
+} // namespace oversketch_studio

@@ -1,0 +1,75 @@
+// How the model is looked at, in a menu and in a strip over the view: camera, shading, ground, what it was.
+#ifndef oversketch_applications_studio_window_view_menu_h
+#define oversketch_applications_studio_window_view_menu_h
+
+#include "view_settings.h"
+
+#include <QObject>
+#include <QVector>
+
+#include <functional>
+#include <memory>
+
+class QAction;
+class QLabel;
+class QMenu;
+
+namespace oversketch_studio
+{
+
+class AxisGizmo;
+class Document;
+class ViewBar;
+class Viewport;
+
+class ViewMenu : public QObject
+{
+  Q_OBJECT
+
+public:
+  // `node` says which step is meant: the selected one, else the last; -1: none.
+  ViewMenu(Viewport* view, Document* document, std::function<int()> node, QWidget* parent);
+  ~ViewMenu() override;
+
+  void addTo(QMenu* menu);
+  // How many triangles the model has, for the status bar.
+  QLabel* triangles() const { return this->Triangles; }
+  void setDark(bool dark);
+  // Of the model that is opened next.
+  void setUpAxis(int axis);
+
+signals:
+  // What is shown instead of the model, in words; empty: the model again.
+  void told(const QString& text);
+
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  void makeCamera();
+  void makeShadings();
+  QAction* addToggle(QMenu* menu,
+    const QString& text,
+    const QString& key,
+    const std::function<void(bool)>& run);
+  void apply();
+  void setTexts();
+  void refresh();
+  void placeOverlays();
+  void showOnion();
+  void showBefore(bool shown);
+
+  Viewport* View;
+  Document* Shown;
+  std::function<int()> Node;
+  ViewSettings Settings;
+  std::unique_ptr<QMenu> Camera, Model;
+  QVector<QAction*> Shadings; // in their order
+  QAction *Parallel, *Free, *UpZ, *Picture, *Ground, *Onion, *Before;
+  ViewBar* Bar;
+  AxisGizmo* Gizmo;
+  QLabel* Triangles;
+};
+
+} // namespace oversketch_studio
+#endif
