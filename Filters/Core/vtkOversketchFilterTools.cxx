@@ -10,6 +10,8 @@
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringVectorKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -214,6 +216,31 @@ int RunFilter(vtkAlgorithm* self, const std::function<void()>& body)
     Fail(self, Failure::Unexpected, { "Unexpected failure: %1", error.what() });
   }
   return 0;
+}
+
+void DeclareInput(vtkAlgorithm* self, int port, const std::vector<Port>& is)
+{
+  vtkInformation* information = self->GetInputPortInformation(port);
+  for (const Port one : is)
+  {
+    if (one == Port::Image)
+    {
+      information->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+      information->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+    }
+    else
+    {
+      information->Set(
+        one == Port::Optional ? vtkAlgorithm::INPUT_IS_OPTIONAL() : vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+    }
+  }
+}
+
+void DeclareOutput(vtkAlgorithm* self, int port, const std::vector<Port>& is)
+{
+  const bool isImage = std::find(is.begin(), is.end(), Port::Image) != is.end();
+  self->GetOutputPortInformation(port)->Set(
+    vtkDataObject::DATA_TYPE_NAME(), isImage ? "vtkImageData" : "vtkPolyData");
 }
 
 void Warn(vtkObject* self, const Message& message)

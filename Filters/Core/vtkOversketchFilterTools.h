@@ -37,6 +37,24 @@ namespace oversketch
 OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::function<void()>& body);
 
 /**
+ * What a port is, where it is not one vtkPolyData that must be there.
+ */
+enum class Port
+{
+  Optional,
+  Repeatable,
+  Image // vtkImageData
+};
+
+///@{
+/**
+ * Says it of an input or output; for a filter's constructor, once the number of ports is set.
+ */
+OVERSKETCHFILTERSCORE_EXPORT void DeclareInput(vtkAlgorithm* self, int port, const std::vector<Port>& is);
+OVERSKETCHFILTERSCORE_EXPORT void DeclareOutput(vtkAlgorithm* self, int port, const std::vector<Port>& is);
+///@}
+
+/**
  * Tells a warning event of an object: one vtkWarningMacro. Its observers get the message itself by MessageOf.
  */
 OVERSKETCHFILTERSCORE_EXPORT void Warn(vtkObject* self, const Message& message);

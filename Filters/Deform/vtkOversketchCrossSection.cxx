@@ -12,7 +12,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -222,12 +221,6 @@ void vtkOversketchCrossSection::SetPlanesData(vtkPolyData* planes)
 vtkPolyData* vtkOversketchCrossSection::GetSectionOutput()
 {
   return this->GetOutput(1);
-}
-
-int vtkOversketchCrossSection::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return port < 3;
 }
 
 int vtkOversketchCrossSection::RequestData(vtkInformation*,

@@ -119,7 +119,6 @@ protected:
   vtkOversketchCrossSection();
   ~vtkOversketchCrossSection() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

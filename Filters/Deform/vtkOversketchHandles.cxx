@@ -8,7 +8,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -79,6 +78,7 @@ vtkOversketchHandles::vtkOversketchHandles()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchHandles::~vtkOversketchHandles() = default;
@@ -96,16 +96,6 @@ void vtkOversketchHandles::SetHandlesData(vtkPolyData* handles)
 void vtkOversketchHandles::SetOperations(const char* text)
 {
   SetText(this, this->Operations, text);
-}
-
-int vtkOversketchHandles::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 2)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
 }
 
 int vtkOversketchHandles::RequestData(vtkInformation*,

@@ -76,7 +76,6 @@ protected:
   vtkOversketchHandles();
   ~vtkOversketchHandles() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -9,7 +9,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -287,12 +286,6 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
                     : cache.Dragged.place(d, static_cast<double*>(points->GetVoidPointer(0)), context);
   points->Modified();
   return true;
-}
-
-int vtkOversketchLaplacianDeform::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return port < 2;
 }
 
 int vtkOversketchLaplacianDeform::RequestData(vtkInformation*,

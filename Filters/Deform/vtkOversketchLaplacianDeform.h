@@ -131,7 +131,6 @@ protected:
   vtkOversketchLaplacianDeform();
   ~vtkOversketchLaplacianDeform() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -9,7 +9,6 @@
 #include "vtkOversketchMovedPoints.h"
 
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -96,12 +95,6 @@ vtkOversketchMatrixDeform::~vtkOversketchMatrixDeform() = default;
 void vtkOversketchMatrixDeform::SetHandlesData(vtkPolyData* handles)
 {
   this->SetInputData(1, handles);
-}
-
-int vtkOversketchMatrixDeform::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return port < 2;
 }
 
 int vtkOversketchMatrixDeform::RequestData(vtkInformation*,

@@ -72,7 +72,6 @@ protected:
   vtkOversketchMatrixDeform();
   ~vtkOversketchMatrixDeform() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

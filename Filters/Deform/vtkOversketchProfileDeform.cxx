@@ -12,7 +12,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -106,6 +105,7 @@ vtkOversketchProfileDeform::vtkOversketchProfileDeform()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(5);
+  DeclareInput(this, 4, { Port::Optional });
 }
 
 vtkOversketchProfileDeform::~vtkOversketchProfileDeform() = default;
@@ -128,16 +128,6 @@ void vtkOversketchProfileDeform::SetDrawnData(vtkPolyData* profile)
 void vtkOversketchProfileDeform::SetHandlesData(vtkPolyData* handles)
 {
   this->SetInputData(4, handles);
-}
-
-int vtkOversketchProfileDeform::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  if (port == 4)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
 }
 
 int vtkOversketchProfileDeform::RequestData(vtkInformation*,

@@ -94,7 +94,6 @@ protected:
   vtkOversketchProfileDeform();
   ~vtkOversketchProfileDeform() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

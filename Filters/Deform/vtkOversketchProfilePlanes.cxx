@@ -10,7 +10,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -91,12 +90,6 @@ vtkOversketchProfilePlanes::~vtkOversketchProfilePlanes() = default;
 void vtkOversketchProfilePlanes::SetReferenceData(vtkPolyData* curve)
 {
   this->SetInputData(1, curve);
-}
-
-int vtkOversketchProfilePlanes::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-  return port < 2;
 }
 
 int vtkOversketchProfilePlanes::RequestData(vtkInformation*,

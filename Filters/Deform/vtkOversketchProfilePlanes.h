@@ -80,7 +80,6 @@ protected:
   vtkOversketchProfilePlanes();
   ~vtkOversketchProfilePlanes() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

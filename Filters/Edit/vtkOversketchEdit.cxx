@@ -23,6 +23,9 @@ vtkOversketchEdit::vtkOversketchEdit()
 {
   this->SetNumberOfInputPorts(7);
   this->SetNumberOfOutputPorts(3);
+  DeclareInput(this, 3, { Port::Optional });
+  DeclareInput(this, 4, { Port::Optional });
+  DeclareInput(this, 5, { Port::Image, Port::Optional });
 }
 
 vtkOversketchEdit::~vtkOversketchEdit() = default;
@@ -55,16 +58,6 @@ void vtkOversketchEdit::SetWeightsData(vtkImageData* image)
 void vtkOversketchEdit::SetHandlesData(vtkPolyData* handles)
 {
   this->SetInputData(6, handles);
-}
-
-int vtkOversketchEdit::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 5 ? "vtkImageData" : "vtkPolyData");
-  if (port > 2)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
 }
 
 int vtkOversketchEdit::RequestUpdateExtent(vtkInformation* request,

@@ -224,7 +224,6 @@ protected:
   vtkOversketchEdit();
   ~vtkOversketchEdit() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -189,6 +189,11 @@ int vtkOversketchAssemble::FillInputPortInformation(int port, vtkInformation* in
   return this->Superclass::FillInputPortInformation(port, information);
 }
 
+vtkOversketchAssemble::vtkOversketchAssemble()
+{
+  DeclareInput(this, 0, { Port::Repeatable });
+}
+
 int vtkOversketchAssemble::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

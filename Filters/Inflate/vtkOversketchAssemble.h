@@ -39,7 +39,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
-  vtkOversketchAssemble() = default;
+  vtkOversketchAssemble();
   ~vtkOversketchAssemble() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;

@@ -1,5 +1,7 @@
 #include "vtkOversketchInflate.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Inflate/heights.h"
 #include "Inflate/inflate.h"
 #include "Inflate/swap_edges.h"
@@ -95,6 +97,8 @@ vtkOversketchInflate::vtkOversketchInflate()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  DeclareInput(this, 1, { Port::Image });
+  DeclareOutput(this, 1, { Port::Image });
 }
 
 vtkOversketchInflate::~vtkOversketchInflate() = default;
@@ -112,17 +116,6 @@ vtkImageData* vtkOversketchInflate::GetHeightsOutput()
 void vtkOversketchInflate::SetProfile(const char* text)
 {
   SetText(this, this->Profile, text);
-}
-
-int vtkOversketchInflate::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkPolyData");
-  return 1;
-}
-
-int vtkOversketchInflate::FillOutputPortInformation(int port, vtkInformation* information)
-{
-  return FillImagePort(port, information);
 }
 
 int vtkOversketchInflate::RequestInformation(vtkInformation*,

@@ -160,8 +160,6 @@ protected:
   vtkOversketchInflate();
   ~vtkOversketchInflate() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

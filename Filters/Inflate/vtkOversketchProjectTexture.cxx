@@ -1,5 +1,7 @@
 #include "vtkOversketchProjectTexture.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Inflate/texture.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
@@ -10,7 +12,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -107,6 +108,8 @@ vtkOversketchProjectTexture::vtkOversketchProjectTexture()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
+  DeclareInput(this, 2, { Port::Image, Port::Optional });
 }
 
 vtkOversketchProjectTexture::~vtkOversketchProjectTexture() = default;
@@ -119,13 +122,6 @@ void vtkOversketchProjectTexture::SetPictureData(vtkImageData* picture)
 void vtkOversketchProjectTexture::SetBackPictureData(vtkImageData* picture)
 {
   this->SetInputData(2, picture);
-}
-
-int vtkOversketchProjectTexture::FillInputPortInformation(int port, vtkInformation* information)
-{
-  return FillPicturePort(std::min(port, 1), information)
-           ? 1
-           : this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchProjectTexture::RequestData(vtkInformation*,

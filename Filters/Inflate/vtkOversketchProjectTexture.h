@@ -61,7 +61,6 @@ protected:
   vtkOversketchProjectTexture();
   ~vtkOversketchProjectTexture() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

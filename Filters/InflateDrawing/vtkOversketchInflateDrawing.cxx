@@ -25,7 +25,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -331,19 +330,11 @@ vtkOversketchInflateDrawing::vtkOversketchInflateDrawing()
   : Inner(new Pipeline(this))
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
+  DeclareInput(this, 2, { Port::Image, Port::Optional });
 }
 
 vtkOversketchInflateDrawing::~vtkOversketchInflateDrawing() = default;
-
-int vtkOversketchInflateDrawing::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
-  if (port > 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
-}
 
 int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
   vtkInformationVector** inputs,

@@ -185,7 +185,6 @@ protected:
   vtkOversketchInflateDrawing();
   ~vtkOversketchInflateDrawing() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

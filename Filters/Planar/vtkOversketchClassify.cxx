@@ -1,6 +1,7 @@
 #include "vtkOversketchClassify.h"
 
 #include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 
 #include "vtkCellData.h"
@@ -75,6 +76,7 @@ vtkOversketchClassify::vtkOversketchClassify()
   : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
+  DeclareOutput(this, 1, { Port::Image });
 }
 
 vtkOversketchClassify::~vtkOversketchClassify() = default;
@@ -82,11 +84,6 @@ vtkOversketchClassify::~vtkOversketchClassify() = default;
 vtkImageData* vtkOversketchClassify::GetLabelsOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkOversketchClassify::FillOutputPortInformation(int port, vtkInformation* information)
-{
-  return FillImagePort(port, information);
 }
 
 int vtkOversketchClassify::RequestInformation(vtkInformation*,

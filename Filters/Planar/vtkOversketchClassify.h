@@ -99,7 +99,6 @@ protected:
   vtkOversketchClassify();
   ~vtkOversketchClassify() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -1,5 +1,7 @@
 #include "vtkOversketchCoarseMesh.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Planar/relax.h"
 #include "Planar/terminal.h"
 #include "Planar/triangulate.h"
@@ -7,7 +9,6 @@
 #include "vtkOversketchPlanarTools.h"
 
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -52,6 +53,7 @@ vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  DeclareInput(this, 1, { Port::Optional });
 }
 
 vtkOversketchCoarseMesh::~vtkOversketchCoarseMesh() = default;
@@ -64,15 +66,6 @@ void vtkOversketchCoarseMesh::SetDartsData(vtkPolyData* darts)
 vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkOversketchCoarseMesh::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchCoarseMesh::RequestData(vtkInformation*,

@@ -96,7 +96,6 @@ protected:
   vtkOversketchCoarseMesh();
   ~vtkOversketchCoarseMesh() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

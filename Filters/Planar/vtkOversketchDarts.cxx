@@ -1,5 +1,7 @@
 #include "vtkOversketchDarts.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Planar/darts.h"
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchKept.h"
@@ -7,7 +9,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -28,6 +29,7 @@ vtkOversketchDarts::vtkOversketchDarts()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
 
 vtkOversketchDarts::~vtkOversketchDarts() = default;
@@ -35,17 +37,6 @@ vtkOversketchDarts::~vtkOversketchDarts() = default;
 void vtkOversketchDarts::SetDistanceData(vtkImageData* distance)
 {
   this->SetInputData(1, distance);
-}
-
-int vtkOversketchDarts::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchDarts::RequestData(vtkInformation*,

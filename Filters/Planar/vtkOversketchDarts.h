@@ -92,7 +92,6 @@ protected:
   vtkOversketchDarts();
   ~vtkOversketchDarts() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,6 +1,7 @@
 #include "vtkOversketchDistance.h"
 
 #include "vtkOversketchDrawingTools.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -40,6 +41,7 @@ vtkOversketchDistance::vtkOversketchDistance()
   : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
+  DeclareOutput(this, 1, { Port::Image });
 }
 
 vtkOversketchDistance::~vtkOversketchDistance() = default;
@@ -47,11 +49,6 @@ vtkOversketchDistance::~vtkOversketchDistance() = default;
 vtkImageData* vtkOversketchDistance::GetDistanceOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkOversketchDistance::FillOutputPortInformation(int port, vtkInformation* information)
-{
-  return FillImagePort(port, information);
 }
 
 int vtkOversketchDistance::RequestInformation(vtkInformation*,

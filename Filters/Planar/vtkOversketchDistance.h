@@ -76,7 +76,6 @@ protected:
   vtkOversketchDistance();
   ~vtkOversketchDistance() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -322,12 +322,6 @@ Frame FrameOf(vtkImageData* image)
   return { place.Origin, place.Spacing[0], place.Columns, place.Rows };
 }
 
-int FillImagePort(int port, vtkInformation* information)
-{
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkImageData" : "vtkPolyData");
-  return 1;
-}
-
 int DescribeImage(vtkAlgorithm* self,
   vtkInformation* output,
   int scalarType,

@@ -122,11 +122,6 @@ OVERSKETCHFILTERSPLANAR_EXPORT void WriteFrame(const Frame& frame, vtkImageData*
 OVERSKETCHFILTERSPLANAR_EXPORT Frame FrameOf(vtkImageData* image);
 
 /**
- * For the FillOutputPortInformation of a filter with curves or faces on port 0 and an image on port 1.
- */
-OVERSKETCHFILTERSPLANAR_EXPORT int FillImagePort(int port, vtkInformation* information);
-
-/**
  * For the RequestInformation of such a filter: extent, spacing and origin of the image on port 1, and its
  * scalars' type (VTK_INT, ...). The raster depends on the data on port 0, which are therefore updated now;
  * where they are none that a raster can be made for, the extent is empty and RequestData says why. Returns 0

@@ -1,5 +1,7 @@
 #include "vtkOversketchPolyline.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Planar/approximate.h"
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchKept.h"
@@ -7,7 +9,6 @@
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -28,6 +29,8 @@ vtkOversketchPolyline::vtkOversketchPolyline()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchPolyline::~vtkOversketchPolyline() = default;
@@ -40,17 +43,6 @@ void vtkOversketchPolyline::SetDistanceData(vtkImageData* distance)
 void vtkOversketchPolyline::SetSplitsData(vtkPolyData* splits)
 {
   this->SetInputData(2, splits);
-}
-
-int vtkOversketchPolyline::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port > 0)
-  {
-    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkPolyData");
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchPolyline::RequestData(vtkInformation*,

@@ -118,7 +118,6 @@ protected:
   vtkOversketchPolyline();
   ~vtkOversketchPolyline() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -16,7 +16,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -247,6 +246,7 @@ vtkOversketchInsertCurve::vtkOversketchInsertCurve()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchInsertCurve::~vtkOversketchInsertCurve() = default;
@@ -259,15 +259,6 @@ void vtkOversketchInsertCurve::SetCurvesData(vtkPolyData* curves)
 void vtkOversketchInsertCurve::SetStoredData(vtkPolyData* curves)
 {
   this->SetInputData(2, curves);
-}
-
-int vtkOversketchInsertCurve::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 2)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchInsertCurve::RequestData(vtkInformation*,

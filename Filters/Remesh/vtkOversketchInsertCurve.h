@@ -144,7 +144,6 @@ protected:
   vtkOversketchInsertCurve();
   ~vtkOversketchInsertCurve() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -11,7 +11,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -86,6 +85,8 @@ vtkOversketchRefineBetween::vtkOversketchRefineBetween()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 1, { Port::Optional });
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchRefineBetween::~vtkOversketchRefineBetween() = default;
@@ -98,15 +99,6 @@ void vtkOversketchRefineBetween::SetReferenceData(vtkPolyData* curve)
 void vtkOversketchRefineBetween::SetBoundaryData(vtkPolyData* curve)
 {
   this->SetInputData(2, curve);
-}
-
-int vtkOversketchRefineBetween::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port > 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchRefineBetween::RequestData(vtkInformation*,

@@ -66,7 +66,6 @@ protected:
   vtkOversketchRefineBetween();
   ~vtkOversketchRefineBetween() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

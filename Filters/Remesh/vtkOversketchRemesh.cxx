@@ -16,7 +16,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -402,6 +401,7 @@ vtkOversketchRemesh::vtkOversketchRemesh()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  DeclareInput(this, 1, { Port::Optional });
 }
 
 vtkOversketchRemesh::~vtkOversketchRemesh() = default;
@@ -419,15 +419,6 @@ void vtkOversketchRemesh::ReleaseWork()
     this->GetOutputDataObject(port)->ReleaseData();
   }
   this->Modified();
-}
-
-int vtkOversketchRemesh::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchRemesh::RequestData(vtkInformation*,

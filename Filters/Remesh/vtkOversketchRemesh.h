@@ -197,7 +197,6 @@ protected:
   vtkOversketchRemesh();
   ~vtkOversketchRemesh() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

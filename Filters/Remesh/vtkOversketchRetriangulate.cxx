@@ -11,7 +11,6 @@
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -160,6 +159,7 @@ vtkOversketchRetriangulate::vtkOversketchRetriangulate()
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
+  DeclareInput(this, 3, { Port::Optional });
 }
 
 vtkOversketchRetriangulate::~vtkOversketchRetriangulate() = default;
@@ -177,15 +177,6 @@ void vtkOversketchRetriangulate::SetBoundaryData(vtkPolyData* curve)
 void vtkOversketchRetriangulate::SetRestData(vtkPolyData* mesh)
 {
   this->SetInputData(3, mesh);
-}
-
-int vtkOversketchRetriangulate::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 3)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchRetriangulate::RequestData(vtkInformation*,

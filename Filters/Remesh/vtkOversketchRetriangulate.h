@@ -104,7 +104,6 @@ protected:
   vtkOversketchRetriangulate();
   ~vtkOversketchRetriangulate() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   // What moved the vertices, of the mesh before the edit, for an heir that knows it; null: it is found.

@@ -1,5 +1,7 @@
 #include "vtkOversketchScanFill.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Shading/scan_fill.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchShadingTools.h"
@@ -136,6 +138,7 @@ vtkOversketchScanFill::vtkOversketchScanFill()
   : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
+  DeclareOutput(this, 1, { Port::Image });
 }
 
 vtkOversketchScanFill::~vtkOversketchScanFill() = default;
@@ -143,12 +146,6 @@ vtkOversketchScanFill::~vtkOversketchScanFill() = default;
 vtkImageData* vtkOversketchScanFill::GetMaskOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-int vtkOversketchScanFill::FillOutputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 1 ? "vtkImageData" : "vtkPolyData");
-  return 1;
 }
 
 int vtkOversketchScanFill::RequestInformation(vtkInformation*,

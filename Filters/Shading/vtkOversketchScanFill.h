@@ -65,7 +65,6 @@ protected:
   vtkOversketchScanFill();
   ~vtkOversketchScanFill() override;
 
-  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

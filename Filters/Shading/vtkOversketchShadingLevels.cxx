@@ -1,5 +1,7 @@
 #include "vtkOversketchShadingLevels.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Shading/layer_list.h"
 #include "Shading/texels.h"
 #include "vtkOversketchEditRegion.h"
@@ -131,6 +133,8 @@ vtkOversketchShadingLevels::vtkOversketchShadingLevels()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
+  DeclareInput(this, 2, { Port::Image, Port::Optional });
+  DeclareOutput(this, 1, { Port::Image });
 }
 
 vtkOversketchShadingLevels::~vtkOversketchShadingLevels() = default;
@@ -158,23 +162,6 @@ vtkImageData* vtkOversketchShadingLevels::GetWeightsOutput()
 vtkImageData* vtkOversketchShadingLevels::GetDisplayOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(2));
-}
-
-int vtkOversketchShadingLevels::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 2)
-  {
-    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
-}
-
-int vtkOversketchShadingLevels::FillOutputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkImageData");
-  return 1;
 }
 
 int vtkOversketchShadingLevels::RequestInformation(vtkInformation*,

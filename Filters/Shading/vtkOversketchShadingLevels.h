@@ -147,8 +147,6 @@ protected:
   vtkOversketchShadingLevels();
   ~vtkOversketchShadingLevels() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -1,12 +1,13 @@
 #include "vtkOversketchTextureToWeight.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Shading/texels.h"
 #include "vtkOversketchEditRegion.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -96,6 +97,7 @@ vtkOversketchTextureToWeight::vtkOversketchTextureToWeight()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Image });
 }
 
 vtkOversketchTextureToWeight::~vtkOversketchTextureToWeight() = default;
@@ -103,16 +105,6 @@ vtkOversketchTextureToWeight::~vtkOversketchTextureToWeight() = default;
 void vtkOversketchTextureToWeight::SetImageData(vtkImageData* image)
 {
   this->SetInputData(1, image);
-}
-
-int vtkOversketchTextureToWeight::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    return 1;
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchTextureToWeight::RequestUpdateExtent(vtkInformation* request,

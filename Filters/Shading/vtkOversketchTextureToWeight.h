@@ -50,7 +50,6 @@ protected:
   vtkOversketchTextureToWeight();
   ~vtkOversketchTextureToWeight() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -140,18 +140,10 @@ vtkOversketchMatch::vtkOversketchMatch()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
+  DeclareInput(this, 0, { Port::Repeatable });
 }
 
 vtkOversketchMatch::~vtkOversketchMatch() = default;
-
-int vtkOversketchMatch::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
-}
 
 void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& view)
 {

@@ -130,7 +130,6 @@ protected:
   vtkOversketchMatch();
   ~vtkOversketchMatch() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

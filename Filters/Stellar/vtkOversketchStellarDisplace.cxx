@@ -1,12 +1,12 @@
 #include "vtkOversketchStellarDisplace.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Intersection/crossing_faces.h"
 #include "Stellar/displace.h"
 #include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -74,6 +74,7 @@ vtkOversketchStellarDisplace::vtkOversketchStellarDisplace()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchStellarDisplace::~vtkOversketchStellarDisplace() = default;
@@ -86,15 +87,6 @@ void vtkOversketchStellarDisplace::SetCurvesData(vtkPolyData* curves)
 void vtkOversketchStellarDisplace::SetSketchData(vtkPolyData* sketch)
 {
   this->SetInputData(2, sketch);
-}
-
-int vtkOversketchStellarDisplace::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 void vtkOversketchStellarDisplace::SetProfile(const char* text)

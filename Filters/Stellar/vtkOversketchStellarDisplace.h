@@ -215,7 +215,6 @@ protected:
   vtkOversketchStellarDisplace();
   ~vtkOversketchStellarDisplace() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

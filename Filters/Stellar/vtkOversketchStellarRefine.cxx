@@ -1,11 +1,11 @@
 #include "vtkOversketchStellarRefine.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Stellar/refine.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -53,6 +53,7 @@ vtkOversketchStellarRefine::vtkOversketchStellarRefine()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchStellarRefine::~vtkOversketchStellarRefine() = default;
@@ -65,15 +66,6 @@ void vtkOversketchStellarRefine::SetCurvesData(vtkPolyData* curves)
 void vtkOversketchStellarRefine::SetSourceData(vtkPolyData* source)
 {
   this->SetInputData(2, source);
-}
-
-int vtkOversketchStellarRefine::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchStellarRefine::RequestData(vtkInformation*,

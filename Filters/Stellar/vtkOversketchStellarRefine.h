@@ -162,7 +162,6 @@ protected:
   vtkOversketchStellarRefine();
   ~vtkOversketchStellarRefine() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,10 +1,11 @@
 #include "vtkOversketchStellarSimplify.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Stellar/simplify.h"
 #include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -24,6 +25,7 @@ vtkOversketchStellarSimplify::vtkOversketchStellarSimplify()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Optional });
 }
 
 vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
@@ -31,15 +33,6 @@ vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
 void vtkOversketchStellarSimplify::SetCurvesData(vtkPolyData* curves)
 {
   this->SetInputData(1, curves);
-}
-
-int vtkOversketchStellarSimplify::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const

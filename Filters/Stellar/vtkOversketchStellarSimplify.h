@@ -110,7 +110,6 @@ protected:
   vtkOversketchStellarSimplify();
   ~vtkOversketchStellarSimplify() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,13 +1,13 @@
 #include "vtkOversketchStellarSmooth.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Stellar/refine.h"
 #include "Stellar/smooth.h"
 #include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -25,6 +25,7 @@ vtkOversketchStellarSmooth::vtkOversketchStellarSmooth()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchStellarSmooth::~vtkOversketchStellarSmooth() = default;
@@ -37,15 +38,6 @@ void vtkOversketchStellarSmooth::SetCurvesData(vtkPolyData* curves)
 void vtkOversketchStellarSmooth::SetSourceData(vtkPolyData* source)
 {
   this->SetInputData(2, source);
-}
-
-int vtkOversketchStellarSmooth::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchStellarSmooth::RequestData(vtkInformation*,

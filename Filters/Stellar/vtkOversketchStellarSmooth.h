@@ -90,7 +90,6 @@ protected:
   vtkOversketchStellarSmooth();
   ~vtkOversketchStellarSmooth() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,5 +1,7 @@
 #include "vtkOversketchStellarSnap.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Stellar/foot.h"
 #include "Stellar/leaves.h"
 #include "Stellar/refine.h"
@@ -8,8 +10,6 @@
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
-#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -27,6 +27,7 @@ vtkOversketchStellarSnap::vtkOversketchStellarSnap()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 2, { Port::Optional });
 }
 
 vtkOversketchStellarSnap::~vtkOversketchStellarSnap() = default;
@@ -39,15 +40,6 @@ void vtkOversketchStellarSnap::SetCurvesData(vtkPolyData* curves)
 void vtkOversketchStellarSnap::SetSourceData(vtkPolyData* source)
 {
   this->SetInputData(2, source);
-}
-
-int vtkOversketchStellarSnap::FillInputPortInformation(int port, vtkInformation* info)
-{
-  if (port == 2)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkOversketchStellarSnap::RequestData(vtkInformation*,

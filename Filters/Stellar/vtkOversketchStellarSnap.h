@@ -154,7 +154,6 @@ protected:
   vtkOversketchStellarSnap();
   ~vtkOversketchStellarSnap() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,12 +1,12 @@
 #include "vtkOversketchCanvas.h"
 
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -77,6 +77,7 @@ vtkOversketchCanvas::vtkOversketchCanvas()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
 
 vtkOversketchCanvas::~vtkOversketchCanvas() = default;
@@ -84,11 +85,6 @@ vtkOversketchCanvas::~vtkOversketchCanvas() = default;
 void vtkOversketchCanvas::SetPictureData(vtkImageData* picture)
 {
   this->SetInputData(1, picture);
-}
-
-int vtkOversketchCanvas::FillInputPortInformation(int port, vtkInformation* information)
-{
-  return FillPicturePort(port, information) || this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchCanvas::RequestData(vtkInformation*,

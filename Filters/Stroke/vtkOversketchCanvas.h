@@ -73,7 +73,6 @@ protected:
   vtkOversketchCanvas();
   ~vtkOversketchCanvas() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -8,7 +8,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkMatrix3x3.h"
 #include "vtkNew.h"
@@ -86,7 +85,8 @@ std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
       throw Error(Failure::BadStroke,
         Message::unusable("Stroke",
           cell,
-          { "its samples are %1; at least %2 are needed: draw a longer stroke.",
+          { line.Samples.size() == 1 ? "it has %1 sample; at least %2 are needed: draw a longer stroke."
+                                     : "it has %1 samples; at least %2 are needed: draw a longer stroke.",
             line.Samples.size(),
             least }));
     }
@@ -161,16 +161,6 @@ PicturePlace PlaceOf(vtkImageData* picture)
   place.Rows = dimensions[1];
   place.Rectangle = pictureCanvas(place.Origin, place.Spacing, place.Columns, place.Rows);
   return place;
-}
-
-bool FillPicturePort(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return port == 1;
 }
 
 double SampleSpacing(const Canvas& canvas)

@@ -84,12 +84,6 @@ struct PicturePlace
 OVERSKETCHFILTERSSTROKE_EXPORT PicturePlace PlaceOf(vtkImageData* picture);
 
 /**
- * For the FillInputPortInformation of a filter whose input 1 is a picture, which may be absent: false for
- * other ports.
- */
-OVERSKETCHFILTERSSTROKE_EXPORT bool FillPicturePort(int port, vtkInformation* information);
-
-/**
  * Distance of samples on a canvas, the paper's h: 0.005 of its longest side [world].
  */
 OVERSKETCHFILTERSSTROKE_EXPORT double SampleSpacing(const Canvas& canvas);

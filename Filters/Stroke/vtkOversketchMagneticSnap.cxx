@@ -1,5 +1,7 @@
 #include "vtkOversketchMagneticSnap.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Planar/approximate.h"
 #include "Stroke/livewire.h"
 #include "Stroke/resample.h"
@@ -9,7 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -239,6 +240,7 @@ vtkOversketchMagneticSnap::vtkOversketchMagneticSnap()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
 
 vtkOversketchMagneticSnap::~vtkOversketchMagneticSnap() = default;
@@ -267,11 +269,6 @@ void vtkOversketchMagneticSnap::Prepare()
   catch (const Error&) // whose message the stroke has
   {
   }
-}
-
-int vtkOversketchMagneticSnap::FillInputPortInformation(int port, vtkInformation* information)
-{
-  return FillPicturePort(port, information) || this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchMagneticSnap::RequestData(vtkInformation*,

@@ -86,7 +86,6 @@ protected:
   vtkOversketchMagneticSnap();
   ~vtkOversketchMagneticSnap() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -1,5 +1,7 @@
 #include "vtkOversketchNurbsFit.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "Stroke/fit.h"
 #include "vtkOversketchStrokeTools.h"
 
@@ -8,7 +10,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -140,6 +141,7 @@ vtkOversketchNurbsFit::vtkOversketchNurbsFit()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Optional });
 }
 
 vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
@@ -147,15 +149,6 @@ vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
 void vtkOversketchNurbsFit::SetMeshData(vtkPolyData* mesh)
 {
   this->SetInputData(1, mesh);
-}
-
-int vtkOversketchNurbsFit::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchNurbsFit::RequestData(vtkInformation*,

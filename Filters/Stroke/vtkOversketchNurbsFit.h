@@ -129,7 +129,6 @@ protected:
   vtkOversketchNurbsFit();
   ~vtkOversketchNurbsFit() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

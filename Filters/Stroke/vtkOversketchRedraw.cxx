@@ -1,11 +1,11 @@
 #include "vtkOversketchRedraw.h"
 
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -208,6 +208,7 @@ vtkOversketchRedraw::vtkOversketchRedraw()
   : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
+  DeclareInput(this, 1, { Port::Optional });
 }
 
 vtkOversketchRedraw::~vtkOversketchRedraw() = default;
@@ -215,15 +216,6 @@ vtkOversketchRedraw::~vtkOversketchRedraw() = default;
 void vtkOversketchRedraw::SetCorrectionsData(vtkPolyData* strokes)
 {
   this->SetInputData(1, strokes);
-}
-
-int vtkOversketchRedraw::FillInputPortInformation(int port, vtkInformation* information)
-{
-  if (port == 1)
-  {
-    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return this->Superclass::FillInputPortInformation(port, information);
 }
 
 int vtkOversketchRedraw::RequestData(vtkInformation*,

@@ -60,7 +60,6 @@ protected:
   vtkOversketchRedraw();
   ~vtkOversketchRedraw() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

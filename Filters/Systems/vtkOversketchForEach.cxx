@@ -78,8 +78,10 @@ void RequireSamePlaces(const std::vector<Leaf>& models, const Given& given)
   if (models.size() != given.leaves.size())
   {
     throw Error(Failure::BadStroke,
-      "There are %1 models and %2 leaves on %3; give one %3, or a collection of the same structure as the "
-      "models'.",
+      given.port == 1 ? "There are %1 models and %2 strokes; give one %3, or a collection of the same "
+                        "structure as the models'."
+                      : "There are %1 models and %2 leaves on %3; give one %3, or a collection of the same "
+                        "structure as the models'.",
       models.size(),
       given.leaves.size(),
       name);
