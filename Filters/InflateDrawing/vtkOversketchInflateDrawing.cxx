@@ -452,26 +452,6 @@ void vtkOversketchInflateDrawing::SetLevels(int levels)
   }
 }
 
-void vtkOversketchInflateDrawing::SetLevelsFromSketch(bool fromSketch)
-{
-  if (fromSketch != this->LevelsFromSketch)
-  {
-    this->LevelsFromSketch = fromSketch;
-    this->Inner->Refine->SetLevelsFromSketch(fromSketch);
-    this->Modified();
-  }
-}
-
-void vtkOversketchInflateDrawing::SetUnstretchedRims(bool unstretched)
-{
-  if (unstretched != this->UnstretchedRims)
-  {
-    this->UnstretchedRims = unstretched;
-    this->Inner->Inflate->SetUnstretchedRims(unstretched);
-    this->Modified();
-  }
-}
-
 void vtkOversketchInflateDrawing::SetArrange(bool arrange)
 {
   if (arrange != this->Arrange)
@@ -504,8 +484,6 @@ void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Magnetic: " << this->Magnetic << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "Levels: " << this->Levels << "\n";
-  os << indent << "LevelsFromSketch: " << this->LevelsFromSketch << "\n";
-  os << indent << "UnstretchedRims: " << this->UnstretchedRims << "\n";
   os << indent << "Arrange: " << this->Arrange << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "Rebuilds: " << this->Rebuilds << "\n";

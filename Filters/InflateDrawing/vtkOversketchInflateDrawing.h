@@ -133,26 +133,6 @@ public:
 
   ///@{
   /**
-   * Refine as often as the sketch asks for, until edges are shorter than 0.02 of the canvas's longest side,
-   * in place of Levels [default off; not as published]; see vtkOversketchPlanarRefine.
-   */
-  void SetLevelsFromSketch(bool fromSketch);
-  vtkGetMacro(LevelsFromSketch, bool);
-  vtkBooleanMacro(LevelsFromSketch, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Move vertices near rims, so that triangles there are not stretched by their height [default on; not as
-   * published]; see vtkOversketchInflate.
-   */
-  void SetUnstretchedRims(bool unstretched);
-  vtkGetMacro(UnstretchedRims, bool);
-  vtkBooleanMacro(UnstretchedRims, bool);
-  ///@}
-
-  ///@{
-  /**
    * Strokes may cross each other and themselves, span what they lie in, and bound an object together
    * (vtkOversketchArrange) [default off: a stroke that meets another one is an error; not as published].
    */
@@ -197,9 +177,7 @@ private:
   bool Magnetic = false;
   bool Quads = false;
   bool AsPublished = false;
-  bool LevelsFromSketch = false;
   bool Arrange = false;
-  bool UnstretchedRims = true;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels;

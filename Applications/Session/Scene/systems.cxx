@@ -9,7 +9,9 @@
 #include "vtkOversketchEdit.h"
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
+#include "vtkOversketchInflate.h"
 #include "vtkOversketchInflateDrawing.h"
+#include "vtkOversketchPlanarRefine.h"
 #endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
@@ -438,18 +440,20 @@ SystemRow inflateDrawing()
         "how often the mesh is refined",
         &System::SetLevels,
         &System::GetLevels)),
-    parameter<System>("LevelsFromSketch",
+    ofStep<vtkOversketchPlanarRefine>("Refine",
+      "LevelsFromSketch",
       "levels-from-sketch",
       "Levels from the sketch",
       "refine until edges are shorter than a fiftieth of the canvas, whatever the levels",
-      &System::SetLevelsFromSketch,
-      &System::GetLevelsFromSketch),
-    parameter<System>("UnstretchedRims",
+      &vtkOversketchPlanarRefine::SetLevelsFromSketch,
+      &vtkOversketchPlanarRefine::GetLevelsFromSketch),
+    ofStep<vtkOversketchInflate>("Inflate",
+      "UnstretchedRims",
       "unstretched-rims",
       "Even triangles at rims",
       "move vertices near rims, so that triangles there are not stretched by their height",
-      &System::SetUnstretchedRims,
-      &System::GetUnstretchedRims),
+      &vtkOversketchInflate::SetUnstretchedRims,
+      &vtkOversketchInflate::GetUnstretchedRims),
     parameter<System>("Arrange",
       "arrange",
       "Strokes may cross",

@@ -30,6 +30,7 @@ struct Choice
 struct Parameter
 {
   std::string property;           // as the class calls it: SetRemesh, GetRemesh
+  std::string step;               // whose it is, by its name; empty: the system repeats it
   std::string word;               // "remesh": --remesh on a command line
   std::string title;              // "New triangles": in a window
   std::string help;               // a line; ends without a stop
@@ -157,9 +158,10 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows = syste
 // The words of vtkOversketchSystem::BackendType, in files and on command lines.
 const std::vector<std::string>& backendWords();
 
-// For rows: a parameter of the class T by its setter and getter.
+// For rows: a parameter of a step of the system, which does not repeat it; T is the step's class.
 template <typename T, typename Setter, typename Getter>
-Parameter parameter(const std::string& property,
+Parameter ofStep(const std::string& step,
+  const std::string& property,
   const std::string& word,
   const std::string& title,
   const std::string& help,
@@ -167,6 +169,8 @@ Parameter parameter(const std::string& property,
   Getter getter,
   std::vector<Choice> choices = {})
 {
+  const auto owner = [step](vtkOversketchSystem* system)
+  { return static_cast<T*>(step.empty() ? system : system->GetStep(step.c_str())); };
   using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
   constexpr bool isText = std::is_same_v<Got, const char*>;
   using Held = std::conditional_t<isText, std::string, Got>;
@@ -176,20 +180,34 @@ Parameter parameter(const std::string& property,
   made.title = title;
   made.help = help;
   made.choices = std::move(choices);
-  made.set = [setter](vtkOversketchSystem* system, const Value& value)
+  made.step = step;
+  made.set = [owner, setter](vtkOversketchSystem* system, const Value& value)
   {
     if constexpr (isText)
     {
-      (static_cast<T*>(system)->*setter)(std::get<Held>(value).c_str());
+      (owner(system)->*setter)(std::get<Held>(value).c_str());
     }
     else
     {
-      (static_cast<T*>(system)->*setter)(std::get<Held>(value));
+      (owner(system)->*setter)(std::get<Held>(value));
     }
   };
-  made.get = [getter](vtkOversketchSystem* system) -> Value
-  { return Held((static_cast<T*>(system)->*getter)()); };
+  made.get = [owner, getter](vtkOversketchSystem* system) -> Value
+  { return Held((owner(system)->*getter)()); };
   return made;
+}
+
+// The same of the system's own class.
+template <typename T, typename Setter, typename Getter>
+Parameter parameter(const std::string& property,
+  const std::string& word,
+  const std::string& title,
+  const std::string& help,
+  Setter setter,
+  Getter getter,
+  std::vector<Choice> choices = {})
+{
+  return ofStep<T>("", property, word, title, help, setter, getter, std::move(choices));
 }
 
 // The same with what a form offers of a number.

@@ -1,6 +1,9 @@
 // What the whole of system C makes of drawings.
 #include "DrawingRuns.h"
 
+#include "vtkOversketchInflate.h"
+#include "vtkOversketchPlanarRefine.h"
+
 #include <map>
 
 using namespace oversketch;
@@ -40,6 +43,11 @@ std::multiset<std::vector<std::array<double, 3>>> placesOf(vtkPolyData* mesh)
     faces.insert(std::move(places));
   }
   return faces;
+}
+
+vtkOversketchInflate* inflateOf(const System& system)
+{
+  return vtkOversketchInflate::SafeDownCast(system.filter->GetStep("Inflate"));
 }
 
 } // namespace
@@ -126,10 +134,10 @@ TEST(InflateDrawing, UnstretchedRimsAreEven)
     }
     return most;
   };
-  EXPECT_TRUE(system.filter->GetUnstretchedRims());
+  EXPECT_TRUE(inflateOf(system)->GetUnstretchedRims());
   const double even = longest(system.mesh());
   EXPECT_TRUE(topologyOf(system.filter->GetOutput()).closed);
-  system.filter->SetUnstretchedRims(false);
+  inflateOf(system)->SetUnstretchedRims(false);
   EXPECT_LT(even, 0.8 * longest(system.mesh()));
 }
 
@@ -193,7 +201,7 @@ TEST(InflateDrawing, RimsHaveNoKeel)
     // Rows would be of one height: what is more at the rim is the raster's half a pixel.
     EXPECT_LE(over, 1.5 * beside);
     EXPECT_LE(over, 15.0);
-    system.filter->SetUnstretchedRims(false);
+    inflateOf(system)->SetUnstretchedRims(false);
     const auto [keel, row] = anglesAtRim(system.mesh());
     EXPECT_GT(keel, 1.35 * row) << "as it was";
   }
@@ -271,7 +279,7 @@ TEST(InflateDrawing, TheSketchSaysHowFineItIs)
   for (const double radius : { 250.0, 60.0 })
   {
     System system(drawn({ circle(400, 300, radius) }));
-    system.filter->LevelsFromSketchOn();
+    vtkOversketchPlanarRefine::SafeDownCast(system.filter->GetStep("Refine"))->LevelsFromSketchOn();
     const Topology topology = topologyOf(system.mesh());
     EXPECT_TRUE(topology.closed);
     EXPECT_EQ(topology.chi, 2);

@@ -49,7 +49,7 @@ def made(drawing_file, out, mode, environment):
     system.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)
     system.GetStep("Darts").SetDartModeToOff()
     system.GetStep("CoarseMesh").RelaxOff()
-    system.SetUnstretchedRims(False)
+    system.GetStep("Inflate").SetUnstretchedRims(False)
     system.GetStep("Inflate").SetLocalMaxSmoothing(0.0)
     system.GetStep("Inflate").SetProfileSmoothing(0.0)
     reader.SetFileName(str(drawing_file))
