@@ -30,10 +30,10 @@ namespace
 // The disc's texels and vertices, and where on the way from curve to boundary they are.
 ShadedPlaces placesOf(vtkPolyData* mesh, vtkPolyData* disc, int size, const Context& context)
 {
-  const auto refuse = [](const std::string& what)
+  const auto refuse = [](const Message& what)
   {
     throw Error(
-      Failure::BadMesh, what + "; take mesh and disc from the same vtkOversketchFlatten, not a later one.");
+      Failure::BadMesh, "%1; take mesh and disc from the same vtkOversketchFlatten, not a later one.", what);
   };
   const std::vector<char> labels = ReadEditRegion(mesh);
   vtkDataArray* distance = RequireArray(mesh->GetPointData(),
