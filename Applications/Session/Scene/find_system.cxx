@@ -61,6 +61,11 @@ const Value& valueOf(const Step& step, const Parameter& parameter)
   return it == step.values.end() ? parameter.initial : it->second;
 }
 
+vtkAlgorithm* ownerOf(vtkOversketchSystem* system, const std::string& step)
+{
+  return step.empty() ? system : system->GetStep(step.c_str());
+}
+
 std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
 {
   const SystemRow* row = findSystem(step.system, rows);

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkOversketchSystem;
 
 namespace oversketch_session
@@ -158,6 +159,9 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows = syste
 // The words of vtkOversketchSystem::BackendType, in files and on command lines.
 const std::vector<std::string>& backendWords();
 
+// A step of the system by its name, or the system where that is empty.
+vtkAlgorithm* ownerOf(vtkOversketchSystem* system, const std::string& step);
+
 // For rows: a parameter of a step of the system, which does not repeat it; T is the step's class.
 template <typename T, typename Setter, typename Getter>
 Parameter ofStep(const std::string& step,
@@ -169,8 +173,7 @@ Parameter ofStep(const std::string& step,
   Getter getter,
   std::vector<Choice> choices = {})
 {
-  const auto owner = [step](vtkOversketchSystem* system)
-  { return static_cast<T*>(step.empty() ? system : system->GetStep(step.c_str())); };
+  const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
   using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
   constexpr bool isText = std::is_same_v<Got, const char*>;
   using Held = std::conditional_t<isText, std::string, Got>;
