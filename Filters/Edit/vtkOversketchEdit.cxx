@@ -26,6 +26,7 @@ vtkOversketchEdit::vtkOversketchEdit()
   DeclareInput(this, 3, { Port::Optional });
   DeclareInput(this, 4, { Port::Optional });
   DeclareInput(this, 5, { Port::Image, Port::Optional });
+  DeclareInput(this, 6, { Port::Optional });
 }
 
 vtkOversketchEdit::~vtkOversketchEdit() = default;

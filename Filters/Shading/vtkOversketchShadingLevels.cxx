@@ -135,6 +135,7 @@ vtkOversketchShadingLevels::vtkOversketchShadingLevels()
   this->SetNumberOfOutputPorts(3);
   DeclareInput(this, 2, { Port::Image, Port::Optional });
   DeclareOutput(this, 1, { Port::Image });
+  DeclareOutput(this, 2, { Port::Image });
 }
 
 vtkOversketchShadingLevels::~vtkOversketchShadingLevels() = default;

@@ -14,5 +14,8 @@ enum class Backend : int
   Host = 2
 };
 
+// What is warned of where there is none.
+constexpr const char* noDeviceText = "There is no OpenCL device; the host computes instead.";
+
 } // namespace oversketch
 #endif

@@ -92,7 +92,7 @@ std::shared_ptr<Device> Device::choose(Backend wanted, Message& warning)
   std::shared_ptr<Device> device = Device::instance();
   if (!device)
   {
-    warning = "There is no OpenCL device; the host computes instead.";
+    warning = noDeviceText;
   }
   return device;
 }

@@ -6,6 +6,7 @@
 #include "session_file.h"
 #include "step_lines.h"
 
+#include "Mesh/backend.h"
 #include "Mesh/context.h"
 #include "Stroke/canvas.h"
 #include "vtkOversketchFilterTools.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <iterator>
 #include <malloc.h>
 #include <utility>
 
@@ -270,7 +272,13 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
       state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
     }
     state.failure = outcome.failure;
-    state.remark = oversketch::Message::joined(outcome.remarks);
+    // That the host computes is no flaw of a result; the window says elsewhere what computes.
+    std::vector<oversketch::Message> remarks;
+    std::copy_if(outcome.remarks.begin(),
+      outcome.remarks.end(),
+      std::back_inserter(remarks),
+      [](const oversketch::Message& remark) { return remark.id() != oversketch::noDeviceText; });
+    state.remark = oversketch::Message::joined(remarks);
     state.section = outcome.section;
     state.elsewhere = outcome.elsewhere;
     const auto drawn = this->Pictures.find(outcome.number);

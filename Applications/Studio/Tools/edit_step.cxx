@@ -90,7 +90,8 @@ QString wordsOfEdit(const oversketch::Message& message, bool isRing)
     { "Curve 0 of the boundary", beginsRing },
     { "Stroke 0", isRing ? beginsRing : beginsLine },
     { "Curve 0", isRing ? beginsRing : beginsLine } };
-  return plainWords(message,
+  // The first alone: what follows names places in the picture by numbers.
+  return plainWords(message.first(),
     [&](const std::string& named)
     {
       const auto known = names.find(named);
