@@ -131,7 +131,7 @@ TEST(StrokeEffect, WhatMovesBesideTheStrokeIsFoundWithItsDistance)
   EXPECT_NEAR(beside.strayDistance, 60.0, 1e-9);
   EXPECT_NEAR(beside.strayMovement, 20.0, 1e-9);
   ASSERT_EQ(remarks(beside).size(), 2u);
-  EXPECT_NE(remarks(beside)[0].find("60 px beside the stroke moved too, by up to 20 px"), std::string::npos);
+  EXPECT_NE(remarks(beside)[0].text().find("60 px beside the stroke moved too, by up to 20 px"), std::string::npos);
   // Not outside the region, nor by what nobody sees.
   EXPECT_EQ(
     effectOf(mesh, moved(mesh, 40.0, 100.0, up), std::vector<char>(mesh.points.size(), 0)).strayDistance,
@@ -242,7 +242,7 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
   effect.folds = 12;
   effect.movedShare = 0.5;
   EXPECT_EQ(remarks(effect),
-    (std::vector<std::string>{ "the outline misses the stroke by 40 px in the mean and by 62 px at worst",
+    (std::vector<Message>{ "the outline misses the stroke by 40 px in the mean and by 62 px at worst",
       "50 % of the surface moved",
       "12 edges are folded over" }));
   effect = StrokeEffect();
@@ -250,7 +250,7 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
   effect.back = 0.0124;
   effect.crossings = 31;
   EXPECT_EQ(remarks(effect),
-    (std::vector<std::string>{ "the outline misses the stroke by 13 px at worst",
+    (std::vector<Message>{ "the outline misses the stroke by 13 px at worst",
       "1.2 % of what is seen of the model is turned inside out",
       "the surface passes through itself: 31 pairs of triangles cross" }));
   effect.outline = { 1.1, 8.0 };
@@ -260,12 +260,12 @@ TEST(StrokeEffect, RemarksNameWhatIsWrongAndNothingElse)
   effect.missed = 2.4;
   EXPECT_TRUE(remarks(effect).empty());
   effect.missed = 5.2;
-  EXPECT_EQ(remarks(effect), (std::vector<std::string>{ "the outline misses the stroke by 5 px at worst" }));
+  EXPECT_EQ(remarks(effect), (std::vector<Message>{ "the outline misses the stroke by 5 px at worst" }));
   effect = StrokeEffect();
   effect.outlineBack = 33.0;
   EXPECT_EQ(remarks(effect),
-    (std::vector<std::string>{ "between the stroke's ends the outline runs 33 px beside it" }));
+    (std::vector<Message>{ "between the stroke's ends the outline runs 33 px beside it" }));
   effect.outlineBack = std::numeric_limits<double>::infinity();
   ASSERT_EQ(remarks(effect).size(), 1u);
-  EXPECT_EQ(remarks(effect)[0].find("inf"), std::string::npos);
+  EXPECT_EQ(remarks(effect)[0].text().find("inf"), std::string::npos);
 }
