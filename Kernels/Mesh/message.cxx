@@ -23,9 +23,10 @@ std::string Message::asProperty(const std::string& named)
 {
   const std::string value = valueIn(named);
   const bool isTurned = value == "on" || value == "off";
-  return isTurned                               ? "turn " + propertyIn(named) + ' ' + value
-         : named.find(' ') == std::string::npos ? propertyIn(named)
-                                                : named;
+  const bool isSet = isTurned || std::isupper(static_cast<unsigned char>(value[0])) != 0;
+  return value.empty() && named.find(' ') == std::string::npos ? propertyIn(named)
+         : isSet ? (isTurned ? "turn " : "") + propertyIn(named) + ' ' + value
+                 : named;
 }
 
 Message::Message(const std::string& verbatim)

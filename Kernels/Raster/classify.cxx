@@ -290,7 +290,7 @@ Message rejectionText(const Classification& classification,
   const StrokeClass& which = classification.strokes[stroke];
   const DrawnStroke& drawn = strokes[stroke];
   const int name = nameOf(strokes, stroke);
-  const Vector2 near = drawn.points.empty() ? Vector2(0.0, 0.0) : drawn.points[which.segment];
+  const auto near = [&](int k) { return drawn.points[which.segment][k]; }; // where it crosses
   switch (which.rejection)
   {
     case Rejection::None:
@@ -300,9 +300,9 @@ Message rejectionText(const Classification& classification,
     case Rejection::OffCanvas:
       return { "{Stroke %1} leaves the canvas; draw it inside.", name };
     case Rejection::CrossesItself:
-      return { crossesItselfText, name, near[0], near[1] };
+      return { crossesItselfText, name, near(0), near(1) };
     case Rejection::Crosses:
-      return { crossesText, name, nameOf(strokes, which.other), near[0], near[1] };
+      return { crossesText, name, nameOf(strokes, which.other), near(0), near(1) };
     case Rejection::Outside:
       if (!drawn.nodes.empty())
       {
