@@ -43,8 +43,7 @@ struct Outcome
   // The output ports but 0 that later steps of the session refer to.
   std::map<int, vtkSmartPointer<vtkDataObject>> outputs;
   oversketch::Message failure; // why it did nothing; empty when it acted or is off
-  // What its system said besides, as warnings; of a result that is not as drawn too
-  // (vtkOversketchSystem::GetRemark).
+  // Warnings of its system, with the one of a result that is not as drawn (vtkOversketchSystem::GetRemark).
   std::vector<oversketch::Message> remarks;
   // Where it took hold, with the polyline itself; absent where it did nothing, or its system takes hold of
   // nothing.

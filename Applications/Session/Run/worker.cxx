@@ -272,7 +272,7 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
       state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
     }
     state.failure = outcome.failure;
-    // That the host computes is no flaw of a result; the window says elsewhere what computes.
+    // A host that computes is no flaw of a result; the window says elsewhere what computes.
     std::vector<oversketch::Message> remarks;
     std::copy_if(outcome.remarks.begin(),
       outcome.remarks.end(),

@@ -200,7 +200,7 @@ Parameter ofStep(const std::string& step,
   return made;
 }
 
-// The same of the system's own class.
+// A parameter of the system's own class.
 template <typename T, typename Setter, typename Getter>
 Parameter parameter(const std::string& property,
   const std::string& word,

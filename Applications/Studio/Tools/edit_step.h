@@ -27,8 +27,8 @@ constexpr const char* levelsValue = "Levels";
 constexpr const char* placeValue = "ProfileAt";
 constexpr const char* ruleValue = "Rule";
 
-// What the system says, with the line and the ring as the hand calls them; isRing: which of both a stroke is
-// that it does not say of.
+// A message of the system with the line and the ring as the hand calls them. isRing says which of both a
+// stroke is where the message does not.
 QString wordsOfEdit(const oversketch::Message& message, bool isRing);
 
 const oversketch_session::SystemRow& editRow();

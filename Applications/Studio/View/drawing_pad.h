@@ -34,7 +34,7 @@ public:
   vtkPolyData* drawing() const;
   // The strokes on the canvas, with what each is: cell array Role.
   vtkPolyData* curves() const;
-  // What is to be said of the drawing; empty where there is nothing.
+  // A message about the drawing; empty where there is nothing to say.
   const oversketch::Message& said() const;
   // The same in the words of whoever shows it.
   void showText(const QString& text);

@@ -16,7 +16,7 @@ using oversketch::Message;
 namespace
 {
 
-// What is said at length for whoever has no window to look at.
+// A text that is long for whoever has no window to look at, and the window's words for it.
 struct Plain
 {
   const char* id;
