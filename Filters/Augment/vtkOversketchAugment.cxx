@@ -26,11 +26,6 @@ vtkOversketchAugment::vtkOversketchAugment()
 
 vtkOversketchAugment::~vtkOversketchAugment() = default;
 
-void vtkOversketchAugment::SetStrokesData(vtkPolyData* strokes)
-{
-  this->SetInputData(1, strokes);
-}
-
 int vtkOversketchAugment::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -52,7 +52,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
-  void SetStrokesData(vtkPolyData* strokes);
+  void SetStrokesData(vtkPolyData* strokes) { this->SetInputData(1, strokes); }
   int GetBackendUsed() override; // by the rays of {Visibility}, in silhouette mode
 
   enum BaseType

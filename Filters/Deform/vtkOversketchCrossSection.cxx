@@ -208,16 +208,6 @@ vtkOversketchCrossSection::vtkOversketchCrossSection()
 
 vtkOversketchCrossSection::~vtkOversketchCrossSection() = default;
 
-void vtkOversketchCrossSection::SetBoundaryData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchCrossSection::SetPlanesData(vtkPolyData* planes)
-{
-  this->SetInputData(2, planes);
-}
-
 vtkPolyData* vtkOversketchCrossSection::GetSectionOutput()
 {
   return this->GetOutput(1);

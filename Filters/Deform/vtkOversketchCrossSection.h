@@ -56,13 +56,13 @@ public:
    * The boundary curve, on port 1.
    */
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetBoundaryData(vtkPolyData* curve);
+  void SetBoundaryData(vtkPolyData* curve) { this->SetInputData(1, curve); }
 
   /**
    * The planes, on port 2.
    */
   void SetPlanesConnection(vtkAlgorithmOutput* planes) { this->SetInputConnection(2, planes); }
-  void SetPlanesData(vtkPolyData* planes);
+  void SetPlanesData(vtkPolyData* planes) { this->SetInputData(2, planes); }
 
   enum EndsType
   {

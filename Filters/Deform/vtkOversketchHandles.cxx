@@ -83,16 +83,6 @@ vtkOversketchHandles::vtkOversketchHandles()
 
 vtkOversketchHandles::~vtkOversketchHandles() = default;
 
-void vtkOversketchHandles::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchHandles::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(2, handles);
-}
-
 void vtkOversketchHandles::SetOperations(const char* text)
 {
   SetText(this, this->Operations, text);

@@ -52,13 +52,13 @@ public:
    * The reference curve, on port 1.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
 
   /**
    * Further handles, on port 2.
    */
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(2, handles); }
-  void SetHandlesData(vtkPolyData* handles);
+  void SetHandlesData(vtkPolyData* handles) { this->SetInputData(2, handles); }
 
   ///@{
   /**

@@ -160,11 +160,6 @@ vtkOversketchLaplacianDeform::vtkOversketchLaplacianDeform()
 
 vtkOversketchLaplacianDeform::~vtkOversketchLaplacianDeform() = default;
 
-void vtkOversketchLaplacianDeform::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(1, handles);
-}
-
 // Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
 void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::vector<Vector3>& moves)
 {

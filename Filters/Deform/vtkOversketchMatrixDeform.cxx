@@ -92,11 +92,6 @@ vtkOversketchMatrixDeform::vtkOversketchMatrixDeform()
 
 vtkOversketchMatrixDeform::~vtkOversketchMatrixDeform() = default;
 
-void vtkOversketchMatrixDeform::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(1, handles);
-}
-
 int vtkOversketchMatrixDeform::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -110,26 +110,6 @@ vtkOversketchProfileDeform::vtkOversketchProfileDeform()
 
 vtkOversketchProfileDeform::~vtkOversketchProfileDeform() = default;
 
-void vtkOversketchProfileDeform::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchProfileDeform::SetProfileData(vtkPolyData* profile)
-{
-  this->SetInputData(2, profile);
-}
-
-void vtkOversketchProfileDeform::SetDrawnData(vtkPolyData* profile)
-{
-  this->SetInputData(3, profile);
-}
-
-void vtkOversketchProfileDeform::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(4, handles);
-}
-
 int vtkOversketchProfileDeform::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

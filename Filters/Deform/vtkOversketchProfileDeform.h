@@ -57,13 +57,13 @@ public:
    * The reference curve, the old profile, the new one and handles, on ports 1 to 4.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
   void SetProfileConnection(vtkAlgorithmOutput* profile) { this->SetInputConnection(2, profile); }
-  void SetProfileData(vtkPolyData* profile);
+  void SetProfileData(vtkPolyData* profile) { this->SetInputData(2, profile); }
   void SetDrawnConnection(vtkAlgorithmOutput* profile) { this->SetInputConnection(3, profile); }
-  void SetDrawnData(vtkPolyData* profile);
+  void SetDrawnData(vtkPolyData* profile) { this->SetInputData(3, profile); }
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(4, handles); }
-  void SetHandlesData(vtkPolyData* handles);
+  void SetHandlesData(vtkPolyData* handles) { this->SetInputData(4, handles); }
   ///@}
 
   ///@{

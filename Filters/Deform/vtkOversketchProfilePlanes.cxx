@@ -87,11 +87,6 @@ vtkOversketchProfilePlanes::vtkOversketchProfilePlanes()
 
 vtkOversketchProfilePlanes::~vtkOversketchProfilePlanes() = default;
 
-void vtkOversketchProfilePlanes::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
 int vtkOversketchProfilePlanes::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

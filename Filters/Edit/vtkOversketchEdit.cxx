@@ -5,7 +5,6 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
-#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -30,36 +29,6 @@ vtkOversketchEdit::vtkOversketchEdit()
 }
 
 vtkOversketchEdit::~vtkOversketchEdit() = default;
-
-void vtkOversketchEdit::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchEdit::SetBoundaryData(vtkPolyData* curve)
-{
-  this->SetInputData(2, curve);
-}
-
-void vtkOversketchEdit::SetProfileData(vtkPolyData* profile)
-{
-  this->SetInputData(3, profile);
-}
-
-void vtkOversketchEdit::SetAreasData(vtkPolyData* areas)
-{
-  this->SetInputData(4, areas);
-}
-
-void vtkOversketchEdit::SetWeightsData(vtkImageData* image)
-{
-  this->SetInputData(5, image);
-}
-
-void vtkOversketchEdit::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(6, handles);
-}
 
 int vtkOversketchEdit::RequestUpdateExtent(vtkInformation* request,
   vtkInformationVector** inputs,

@@ -56,8 +56,6 @@
 #include <memory>
 #include <string>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSEDIT_EXPORT vtkOversketchEdit : public vtkOversketchSystem
 {
 public:
@@ -68,17 +66,17 @@ public:
   ///@{
   // The curves on ports 1 and 2, what may be absent on ports 3 to 6, and where the curves come out.
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
-  void SetBoundaryData(vtkPolyData* curve);
+  void SetBoundaryData(vtkPolyData* curve) { this->SetInputData(2, curve); }
   void SetProfileConnection(vtkAlgorithmOutput* profile) { this->SetInputConnection(3, profile); }
-  void SetProfileData(vtkPolyData* profile);
+  void SetProfileData(vtkPolyData* profile) { this->SetInputData(3, profile); }
   void SetAreasConnection(vtkAlgorithmOutput* areas) { this->SetInputConnection(4, areas); }
-  void SetAreasData(vtkPolyData* areas);
+  void SetAreasData(vtkPolyData* areas) { this->SetInputData(4, areas); }
   void SetWeightsConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(5, image); }
-  void SetWeightsData(vtkImageData* image);
+  void SetWeightsData(vtkDataObject* image) { this->SetInputData(5, image); }
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(6, handles); }
-  void SetHandlesData(vtkPolyData* handles);
+  void SetHandlesData(vtkPolyData* handles) { this->SetInputData(6, handles); }
   vtkPolyData* GetReferenceOutput() { return this->GetOutput(1); }
   vtkPolyData* GetBoundaryOutput() { return this->GetOutput(2); }
   ///@}

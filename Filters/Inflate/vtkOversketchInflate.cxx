@@ -103,11 +103,6 @@ vtkOversketchInflate::vtkOversketchInflate()
 
 vtkOversketchInflate::~vtkOversketchInflate() = default;
 
-void vtkOversketchInflate::SetDistanceData(vtkImageData* distance)
-{
-  this->SetInputData(1, distance);
-}
-
 vtkImageData* vtkOversketchInflate::GetHeightsOutput()
 {
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(1));

@@ -51,8 +51,6 @@
 #include <memory>
 #include <string>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchInflate : public vtkPolyDataAlgorithm
 {
 public:
@@ -64,7 +62,7 @@ public:
    * The distance image, on port 1.
    */
   void SetDistanceConnection(vtkAlgorithmOutput* distance) { this->SetInputConnection(1, distance); }
-  void SetDistanceData(vtkImageData* distance);
+  void SetDistanceData(vtkDataObject* distance) { this->SetInputData(1, distance); }
 
   /**
    * What heights were read from, on port 1.

@@ -114,16 +114,6 @@ vtkOversketchProjectTexture::vtkOversketchProjectTexture()
 
 vtkOversketchProjectTexture::~vtkOversketchProjectTexture() = default;
 
-void vtkOversketchProjectTexture::SetPictureData(vtkImageData* picture)
-{
-  this->SetInputData(1, picture);
-}
-
-void vtkOversketchProjectTexture::SetBackPictureData(vtkImageData* picture)
-{
-  this->SetInputData(2, picture);
-}
-
 int vtkOversketchProjectTexture::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

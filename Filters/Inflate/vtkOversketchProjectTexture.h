@@ -36,8 +36,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchProjectTexture : public vtkPolyDataAlgorithm
 {
 public:
@@ -49,13 +47,13 @@ public:
    * The picture, on port 1.
    */
   void SetPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(1, picture); }
-  void SetPictureData(vtkImageData* picture);
+  void SetPictureData(vtkDataObject* picture) { this->SetInputData(1, picture); }
 
   /**
    * The picture of the back, on port 2.
    */
   void SetBackPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(2, picture); }
-  void SetBackPictureData(vtkImageData* picture);
+  void SetBackPictureData(vtkDataObject* picture) { this->SetInputData(2, picture); }
 
 protected:
   vtkOversketchProjectTexture();

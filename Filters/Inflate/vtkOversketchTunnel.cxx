@@ -32,11 +32,6 @@ vtkOversketchTunnel::vtkOversketchTunnel()
 
 vtkOversketchTunnel::~vtkOversketchTunnel() = default;
 
-void vtkOversketchTunnel::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
 int vtkOversketchTunnel::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -27,11 +27,6 @@ vtkOversketchOneStroke::vtkOversketchOneStroke()
 
 vtkOversketchOneStroke::~vtkOversketchOneStroke() = default;
 
-void vtkOversketchOneStroke::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
 int vtkOversketchOneStroke::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

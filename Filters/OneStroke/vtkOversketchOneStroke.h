@@ -73,7 +73,7 @@ public:
    * The stroke, on port 1.
    */
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
-  void SetStrokeData(vtkPolyData* stroke);
+  void SetStrokeData(vtkPolyData* stroke) { this->SetInputData(1, stroke); }
 
   enum RemeshType
   {

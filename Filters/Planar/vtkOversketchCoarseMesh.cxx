@@ -58,11 +58,6 @@ vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
 
 vtkOversketchCoarseMesh::~vtkOversketchCoarseMesh() = default;
 
-void vtkOversketchCoarseMesh::SetDartsData(vtkPolyData* darts)
-{
-  this->SetInputData(1, darts);
-}
-
 vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));

@@ -57,7 +57,7 @@ public:
    * The darts, on port 1.
    */
   void SetDartsConnection(vtkAlgorithmOutput* darts) { this->SetInputConnection(1, darts); }
-  void SetDartsData(vtkPolyData* darts);
+  void SetDartsData(vtkPolyData* darts) { this->SetInputData(1, darts); }
 
   /**
    * The edges on strokes, on port 1.

@@ -34,11 +34,6 @@ vtkOversketchDarts::vtkOversketchDarts()
 
 vtkOversketchDarts::~vtkOversketchDarts() = default;
 
-void vtkOversketchDarts::SetDistanceData(vtkImageData* distance)
-{
-  this->SetInputData(1, distance);
-}
-
 int vtkOversketchDarts::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

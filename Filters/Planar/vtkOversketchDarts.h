@@ -31,8 +31,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDarts : public vtkPolyDataAlgorithm
 {
 public:
@@ -51,7 +49,7 @@ public:
    * The distance image, on port 1.
    */
   void SetDistanceConnection(vtkAlgorithmOutput* distance) { this->SetInputConnection(1, distance); }
-  void SetDistanceData(vtkImageData* distance);
+  void SetDistanceData(vtkDataObject* distance) { this->SetInputData(1, distance); }
 
   ///@{
   /**

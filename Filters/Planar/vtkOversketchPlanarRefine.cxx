@@ -42,16 +42,6 @@ vtkPolyData* vtkOversketchPlanarRefine::GetSplitsOutput()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
 }
 
-void vtkOversketchPlanarRefine::SetEdgesData(vtkPolyData* edges)
-{
-  this->SetInputData(1, edges);
-}
-
-void vtkOversketchPlanarRefine::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(2, curves);
-}
-
 int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

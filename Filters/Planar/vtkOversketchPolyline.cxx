@@ -35,16 +35,6 @@ vtkOversketchPolyline::vtkOversketchPolyline()
 
 vtkOversketchPolyline::~vtkOversketchPolyline() = default;
 
-void vtkOversketchPolyline::SetDistanceData(vtkImageData* distance)
-{
-  this->SetInputData(1, distance);
-}
-
-void vtkOversketchPolyline::SetSplitsData(vtkPolyData* splits)
-{
-  this->SetInputData(2, splits);
-}
-
 int vtkOversketchPolyline::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

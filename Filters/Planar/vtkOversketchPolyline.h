@@ -44,8 +44,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPolyline : public vtkPolyDataAlgorithm
 {
 public:
@@ -63,13 +61,13 @@ public:
    * The distance image, on port 1.
    */
   void SetDistanceConnection(vtkAlgorithmOutput* distance) { this->SetInputConnection(1, distance); }
-  void SetDistanceData(vtkImageData* distance);
+  void SetDistanceData(vtkDataObject* distance) { this->SetInputData(1, distance); }
 
   /**
    * Parts to be approximated closer, on port 2.
    */
   void SetSplitsConnection(vtkAlgorithmOutput* splits) { this->SetInputConnection(2, splits); }
-  void SetSplitsData(vtkPolyData* splits);
+  void SetSplitsData(vtkPolyData* splits) { this->SetInputData(2, splits); }
 
   ///@{
   /**

@@ -28,11 +28,6 @@ vtkOversketchQuadMerge::vtkOversketchQuadMerge()
 
 vtkOversketchQuadMerge::~vtkOversketchQuadMerge() = default;
 
-void vtkOversketchQuadMerge::SetEdgesData(vtkPolyData* edges)
-{
-  this->SetInputData(1, edges);
-}
-
 vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));

@@ -40,7 +40,7 @@ public:
    * The edges on strokes, on port 1 of input and output.
    */
   void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
-  void SetEdgesData(vtkPolyData* edges);
+  void SetEdgesData(vtkPolyData* edges) { this->SetInputData(1, edges); }
   vtkPolyData* GetEdgesOutput();
 
   /**

@@ -38,16 +38,6 @@ vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-void vtkOversketchTrimHoles::SetEdgesData(vtkPolyData* edges)
-{
-  this->SetInputData(1, edges);
-}
-
-void vtkOversketchTrimHoles::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(2, curves);
-}
-
 int vtkOversketchTrimHoles::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -44,13 +44,13 @@ public:
    * The edges, on port 1.
    */
   void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
-  void SetEdgesData(vtkPolyData* edges);
+  void SetEdgesData(vtkPolyData* edges) { this->SetInputData(1, edges); }
 
   /**
    * The curves, on port 2.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(2, curves); }
 
   /**
    * The edges, on output port 1.

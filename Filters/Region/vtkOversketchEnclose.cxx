@@ -104,16 +104,6 @@ vtkOversketchEnclose::vtkOversketchEnclose()
 
 vtkOversketchEnclose::~vtkOversketchEnclose() = default;
 
-void vtkOversketchEnclose::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchEnclose::SetBoundaryData(vtkPolyData* curve)
-{
-  this->SetInputData(2, curve);
-}
-
 int vtkOversketchEnclose::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -54,9 +54,9 @@ public:
    * The curves, on ports 1 and 2, and the patch.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
-  void SetBoundaryData(vtkPolyData* curve);
+  void SetBoundaryData(vtkPolyData* curve) { this->SetInputData(2, curve); }
   vtkPolyData* GetPatchOutput() { return this->GetOutput(1); }
   ///@}
 

@@ -499,11 +499,6 @@ vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
 
 vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
 
-void vtkOversketchMixtureRegion::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(1, handles);
-}
-
 int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -69,7 +69,7 @@ public:
    * The handles, on port 1.
    */
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(1, handles); }
-  void SetHandlesData(vtkPolyData* handles);
+  void SetHandlesData(vtkPolyData* handles) { this->SetInputData(1, handles); }
 
   ///@{
   /**

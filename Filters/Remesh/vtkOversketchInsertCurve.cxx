@@ -251,16 +251,6 @@ vtkOversketchInsertCurve::vtkOversketchInsertCurve()
 
 vtkOversketchInsertCurve::~vtkOversketchInsertCurve() = default;
 
-void vtkOversketchInsertCurve::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-void vtkOversketchInsertCurve::SetStoredData(vtkPolyData* curves)
-{
-  this->SetInputData(2, curves);
-}
-
 int vtkOversketchInsertCurve::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

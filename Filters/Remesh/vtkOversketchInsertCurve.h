@@ -57,9 +57,9 @@ public:
    * The curves on port 1, those that the mesh has on port 2, and where they come out.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(1, curves); }
   void SetStoredConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
-  void SetStoredData(vtkPolyData* curves);
+  void SetStoredData(vtkPolyData* curves) { this->SetInputData(2, curves); }
   vtkPolyData* GetCurvesOutput() { return this->GetOutput(1); }
   vtkPolyData* GetStoredOutput() { return this->GetOutput(2); }
   ///@}

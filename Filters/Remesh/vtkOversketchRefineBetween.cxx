@@ -91,16 +91,6 @@ vtkOversketchRefineBetween::vtkOversketchRefineBetween()
 
 vtkOversketchRefineBetween::~vtkOversketchRefineBetween() = default;
 
-void vtkOversketchRefineBetween::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchRefineBetween::SetBoundaryData(vtkPolyData* curve)
-{
-  this->SetInputData(2, curve);
-}
-
 int vtkOversketchRefineBetween::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -48,9 +48,9 @@ public:
    * The curves on the mesh, on ports 1 and 2.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
-  void SetBoundaryData(vtkPolyData* curve);
+  void SetBoundaryData(vtkPolyData* curve) { this->SetInputData(2, curve); }
   ///@}
 
   ///@{

@@ -406,11 +406,6 @@ vtkOversketchRemesh::vtkOversketchRemesh()
 
 vtkOversketchRemesh::~vtkOversketchRemesh() = default;
 
-void vtkOversketchRemesh::SetHandlesData(vtkPolyData* handles)
-{
-  this->SetInputData(1, handles);
-}
-
 void vtkOversketchRemesh::ReleaseWork()
 {
   *this->Internals = Cache();

@@ -102,7 +102,7 @@ public:
    * The handles, on port 1, and where they come out.
    */
   void SetHandlesConnection(vtkAlgorithmOutput* handles) { this->SetInputConnection(1, handles); }
-  void SetHandlesData(vtkPolyData* handles);
+  void SetHandlesData(vtkPolyData* handles) { this->SetInputData(1, handles); }
   vtkPolyData* GetHandlesOutput() { return this->GetOutput(1); }
 
   /**

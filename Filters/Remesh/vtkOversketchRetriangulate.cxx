@@ -164,21 +164,6 @@ vtkOversketchRetriangulate::vtkOversketchRetriangulate()
 
 vtkOversketchRetriangulate::~vtkOversketchRetriangulate() = default;
 
-void vtkOversketchRetriangulate::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
-void vtkOversketchRetriangulate::SetBoundaryData(vtkPolyData* curve)
-{
-  this->SetInputData(2, curve);
-}
-
-void vtkOversketchRetriangulate::SetRestData(vtkPolyData* mesh)
-{
-  this->SetInputData(3, mesh);
-}
-
 int vtkOversketchRetriangulate::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

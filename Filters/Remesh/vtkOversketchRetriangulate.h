@@ -71,11 +71,11 @@ public:
    * The curves, on ports 1 and 2, the mesh before the edit, on port 3, and where the curves come out.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
   void SetBoundaryConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(2, curve); }
-  void SetBoundaryData(vtkPolyData* curve);
+  void SetBoundaryData(vtkPolyData* curve) { this->SetInputData(2, curve); }
   void SetRestConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(3, mesh); }
-  void SetRestData(vtkPolyData* mesh);
+  void SetRestData(vtkPolyData* mesh) { this->SetInputData(3, mesh); }
   vtkPolyData* GetReferenceOutput() { return this->GetOutput(1); }
   vtkPolyData* GetBoundaryOutput() { return this->GetOutput(2); }
   ///@}

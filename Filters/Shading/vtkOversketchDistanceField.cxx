@@ -65,11 +65,6 @@ vtkOversketchDistanceField::vtkOversketchDistanceField()
 
 vtkOversketchDistanceField::~vtkOversketchDistanceField() = default;
 
-void vtkOversketchDistanceField::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
 int vtkOversketchDistanceField::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -46,7 +46,7 @@ public:
    * The reference curve, on port 1.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* curve) { this->SetInputConnection(1, curve); }
-  void SetReferenceData(vtkPolyData* curve);
+  void SetReferenceData(vtkPolyData* curve) { this->SetInputData(1, curve); }
 
   enum MeasureType
   {

@@ -120,11 +120,6 @@ vtkOversketchFlatten::vtkOversketchFlatten()
 
 vtkOversketchFlatten::~vtkOversketchFlatten() = default;
 
-void vtkOversketchFlatten::SetReferenceData(vtkPolyData* curve)
-{
-  this->SetInputData(1, curve);
-}
-
 int vtkOversketchFlatten::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -140,16 +140,6 @@ vtkOversketchShadingLevels::vtkOversketchShadingLevels()
 
 vtkOversketchShadingLevels::~vtkOversketchShadingLevels() = default;
 
-void vtkOversketchShadingLevels::SetDiscData(vtkPolyData* disc)
-{
-  this->SetInputData(1, disc);
-}
-
-void vtkOversketchShadingLevels::SetAreasData(vtkImageData* areas)
-{
-  this->SetInputData(2, areas);
-}
-
 void vtkOversketchShadingLevels::SetLayers(const char* text)
 {
   SetText(this, this->Layers, text);

@@ -41,8 +41,6 @@
 #include <string>
 #include <vector>
 
-class vtkImageData;
-
 namespace oversketch
 {
 class Layers;
@@ -61,9 +59,9 @@ public:
    * The disc and the areas, on ports 1 and 2.
    */
   void SetDiscConnection(vtkAlgorithmOutput* disc) { this->SetInputConnection(1, disc); }
-  void SetDiscData(vtkPolyData* disc);
+  void SetDiscData(vtkPolyData* disc) { this->SetInputData(1, disc); }
   void SetAreasConnection(vtkAlgorithmOutput* areas) { this->SetInputConnection(2, areas); }
-  void SetAreasData(vtkImageData* areas);
+  void SetAreasData(vtkDataObject* areas) { this->SetInputData(2, areas); }
   ///@}
 
   ///@{

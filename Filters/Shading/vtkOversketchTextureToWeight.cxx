@@ -102,11 +102,6 @@ vtkOversketchTextureToWeight::vtkOversketchTextureToWeight()
 
 vtkOversketchTextureToWeight::~vtkOversketchTextureToWeight() = default;
 
-void vtkOversketchTextureToWeight::SetImageData(vtkImageData* image)
-{
-  this->SetInputData(1, image);
-}
-
 int vtkOversketchTextureToWeight::RequestUpdateExtent(vtkInformation* request,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -31,8 +31,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchTextureToWeight : public vtkPolyDataAlgorithm
 {
 public:
@@ -44,7 +42,7 @@ public:
    * The image, on port 1.
    */
   void SetImageConnection(vtkAlgorithmOutput* image) { this->SetInputConnection(1, image); }
-  void SetImageData(vtkImageData* image);
+  void SetImageData(vtkDataObject* image) { this->SetInputData(1, image); }
 
 protected:
   vtkOversketchTextureToWeight();

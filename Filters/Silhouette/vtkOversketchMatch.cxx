@@ -208,11 +208,6 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
   this->Key = key;
 }
 
-void vtkOversketchMatch::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
 int vtkOversketchMatch::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

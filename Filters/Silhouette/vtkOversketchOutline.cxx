@@ -151,16 +151,6 @@ vtkOversketchOutline::vtkOversketchOutline()
 
 vtkOversketchOutline::~vtkOversketchOutline() = default;
 
-void vtkOversketchOutline::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
-void vtkOversketchOutline::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(2, curves);
-}
-
 vtkIdType vtkOversketchOutline::GetTraceCount()
 {
   return this->Internals->TraceCount;

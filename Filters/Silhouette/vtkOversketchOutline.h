@@ -62,13 +62,13 @@ public:
    * The stroke whose view is used, on port 1.
    */
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
-  void SetStrokeData(vtkPolyData* stroke);
+  void SetStrokeData(vtkPolyData* stroke) { this->SetInputData(1, stroke); }
 
   /**
    * The curves to attach, on port 2.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(2, curves); }
 
   /**
    * How often the loops have been traced since the filter was made.

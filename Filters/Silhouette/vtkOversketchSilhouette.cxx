@@ -36,11 +36,6 @@ vtkOversketchSilhouette::vtkOversketchSilhouette()
 
 vtkOversketchSilhouette::~vtkOversketchSilhouette() = default;
 
-void vtkOversketchSilhouette::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
 int vtkOversketchSilhouette::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

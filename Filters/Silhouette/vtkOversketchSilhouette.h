@@ -50,7 +50,7 @@ public:
    * The stroke whose view is used, on port 1.
    */
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
-  void SetStrokeData(vtkPolyData* stroke);
+  void SetStrokeData(vtkPolyData* stroke) { this->SetInputData(1, stroke); }
 
   /**
    * How many times curves have been extracted: executions that the kept result did not answer.

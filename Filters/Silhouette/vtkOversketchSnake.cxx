@@ -29,16 +29,6 @@ vtkOversketchSnake::vtkOversketchSnake()
 
 vtkOversketchSnake::~vtkOversketchSnake() = default;
 
-void vtkOversketchSnake::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
-void vtkOversketchSnake::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(2, stroke);
-}
-
 int vtkOversketchSnake::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -92,16 +92,6 @@ vtkOversketchTargets::vtkOversketchTargets()
 
 vtkOversketchTargets::~vtkOversketchTargets() = default;
 
-void vtkOversketchTargets::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
-void vtkOversketchTargets::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(2, mesh);
-}
-
 int vtkOversketchTargets::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -61,13 +61,13 @@ public:
    * The stroke with its view, on port 1.
    */
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(1, stroke); }
-  void SetStrokeData(vtkPolyData* stroke);
+  void SetStrokeData(vtkPolyData* stroke) { this->SetInputData(1, stroke); }
 
   /**
    * The mesh that the section hangs on, on port 2.
    */
   void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(2, mesh); }
-  void SetMeshData(vtkPolyData* mesh);
+  void SetMeshData(vtkPolyData* mesh) { this->SetInputData(2, mesh); }
 
   ///@{
   /**

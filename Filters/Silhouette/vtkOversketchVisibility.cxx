@@ -33,16 +33,6 @@ vtkOversketchVisibility::vtkOversketchVisibility()
 
 vtkOversketchVisibility::~vtkOversketchVisibility() = default;
 
-void vtkOversketchVisibility::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
-void vtkOversketchVisibility::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(2, stroke);
-}
-
 int vtkOversketchVisibility::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -56,13 +56,13 @@ public:
    * The mesh, on port 1.
    */
   void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
-  void SetMeshData(vtkPolyData* mesh);
+  void SetMeshData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   /**
    * The stroke whose view is used, on port 2.
    */
   void SetStrokeConnection(vtkAlgorithmOutput* stroke) { this->SetInputConnection(2, stroke); }
-  void SetStrokeData(vtkPolyData* stroke);
+  void SetStrokeData(vtkPolyData* stroke) { this->SetInputData(2, stroke); }
 
   ///@{
   /**

@@ -79,16 +79,6 @@ vtkOversketchStellarDisplace::vtkOversketchStellarDisplace()
 
 vtkOversketchStellarDisplace::~vtkOversketchStellarDisplace() = default;
 
-void vtkOversketchStellarDisplace::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-void vtkOversketchStellarDisplace::SetSketchData(vtkPolyData* sketch)
-{
-  this->SetInputData(2, sketch);
-}
-
 void vtkOversketchStellarDisplace::SetProfile(const char* text)
 {
   SetText(this, this->Profile, text);

@@ -49,13 +49,13 @@ public:
    * The curves, on port 1.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(1, curves); }
 
   /**
    * The silhouette sketch, on port 2.
    */
   void SetSketchConnection(vtkAlgorithmOutput* sketch) { this->SetInputConnection(2, sketch); }
-  void SetSketchData(vtkPolyData* sketch);
+  void SetSketchData(vtkPolyData* sketch) { this->SetInputData(2, sketch); }
 
   ///@{
   /**

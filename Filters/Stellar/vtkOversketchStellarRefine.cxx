@@ -58,16 +58,6 @@ vtkOversketchStellarRefine::vtkOversketchStellarRefine()
 
 vtkOversketchStellarRefine::~vtkOversketchStellarRefine() = default;
 
-void vtkOversketchStellarRefine::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-void vtkOversketchStellarRefine::SetSourceData(vtkPolyData* source)
-{
-  this->SetInputData(2, source);
-}
-
 int vtkOversketchStellarRefine::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -30,11 +30,6 @@ vtkOversketchStellarSimplify::vtkOversketchStellarSimplify()
 
 vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
 
-void vtkOversketchStellarSimplify::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
 vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
 {
   const std::vector<int>& from = this->Internals->Step.PointFrom();

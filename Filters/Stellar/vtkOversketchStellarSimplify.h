@@ -41,7 +41,7 @@ public:
    * The curves, on port 1.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(1, curves); }
 
   ///@{
   /**

@@ -9,7 +9,6 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 using namespace oversketch;
 
@@ -29,16 +28,6 @@ vtkOversketchStellarSmooth::vtkOversketchStellarSmooth()
 }
 
 vtkOversketchStellarSmooth::~vtkOversketchStellarSmooth() = default;
-
-void vtkOversketchStellarSmooth::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-void vtkOversketchStellarSmooth::SetSourceData(vtkPolyData* source)
-{
-  this->SetInputData(2, source);
-}
 
 int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
   vtkInformationVector** inputs,

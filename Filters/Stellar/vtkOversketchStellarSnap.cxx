@@ -11,7 +11,6 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 using namespace oversketch;
 
@@ -31,16 +30,6 @@ vtkOversketchStellarSnap::vtkOversketchStellarSnap()
 }
 
 vtkOversketchStellarSnap::~vtkOversketchStellarSnap() = default;
-
-void vtkOversketchStellarSnap::SetCurvesData(vtkPolyData* curves)
-{
-  this->SetInputData(1, curves);
-}
-
-void vtkOversketchStellarSnap::SetSourceData(vtkPolyData* source)
-{
-  this->SetInputData(2, source);
-}
 
 int vtkOversketchStellarSnap::RequestData(vtkInformation*,
   vtkInformationVector** inputs,

@@ -52,13 +52,13 @@ public:
    * The curves, on port 1.
    */
   void SetCurvesConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(1, curves); }
-  void SetCurvesData(vtkPolyData* curves);
+  void SetCurvesData(vtkPolyData* curves) { this->SetInputData(1, curves); }
 
   /**
    * The source, on port 2.
    */
   void SetSourceConnection(vtkAlgorithmOutput* source) { this->SetInputConnection(2, source); }
-  void SetSourceData(vtkPolyData* source);
+  void SetSourceData(vtkPolyData* source) { this->SetInputData(2, source); }
 
   enum OrderType
   {

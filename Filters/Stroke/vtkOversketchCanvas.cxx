@@ -82,11 +82,6 @@ vtkOversketchCanvas::vtkOversketchCanvas()
 
 vtkOversketchCanvas::~vtkOversketchCanvas() = default;
 
-void vtkOversketchCanvas::SetPictureData(vtkImageData* picture)
-{
-  this->SetInputData(1, picture);
-}
-
 int vtkOversketchCanvas::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

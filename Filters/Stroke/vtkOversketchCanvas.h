@@ -49,8 +49,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchCanvas : public vtkPolyDataAlgorithm
 {
 public:
@@ -62,7 +60,7 @@ public:
    * The picture that is drawn over, on port 1.
    */
   void SetPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(1, picture); }
-  void SetPictureData(vtkImageData* picture);
+  void SetPictureData(vtkDataObject* picture) { this->SetInputData(1, picture); }
 
   /**
    * How many times strokes have been projected: executions that the kept result did not answer.

@@ -245,11 +245,6 @@ vtkOversketchMagneticSnap::vtkOversketchMagneticSnap()
 
 vtkOversketchMagneticSnap::~vtkOversketchMagneticSnap() = default;
 
-void vtkOversketchMagneticSnap::SetPictureData(vtkImageData* picture)
-{
-  this->SetInputData(1, picture);
-}
-
 void vtkOversketchMagneticSnap::Prepare()
 {
   if (this->GetNumberOfInputConnections(1) == 0)

@@ -42,8 +42,6 @@
 
 #include <memory>
 
-class vtkImageData;
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkPolyDataAlgorithm
 {
 public:
@@ -55,7 +53,7 @@ public:
    * The picture that is drawn over, on port 1.
    */
   void SetPictureConnection(vtkAlgorithmOutput* picture) { this->SetInputConnection(1, picture); }
-  void SetPictureData(vtkImageData* picture);
+  void SetPictureData(vtkDataObject* picture) { this->SetInputData(1, picture); }
 
   ///@{
   /**

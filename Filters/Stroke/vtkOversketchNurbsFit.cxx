@@ -146,11 +146,6 @@ vtkOversketchNurbsFit::vtkOversketchNurbsFit()
 
 vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
 
-void vtkOversketchNurbsFit::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
 int vtkOversketchNurbsFit::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -61,7 +61,7 @@ public:
    * The mesh that is drawn on, on port 1.
    */
   void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
-  void SetMeshData(vtkPolyData* mesh);
+  void SetMeshData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   ///@{
   /**

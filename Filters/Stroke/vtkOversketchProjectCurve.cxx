@@ -109,11 +109,6 @@ vtkOversketchProjectCurve::vtkOversketchProjectCurve()
 
 vtkOversketchProjectCurve::~vtkOversketchProjectCurve() = default;
 
-void vtkOversketchProjectCurve::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
 vtkIdType vtkOversketchProjectCurve::GetSceneCount()
 {
   return this->Internals->Surface.Builds();

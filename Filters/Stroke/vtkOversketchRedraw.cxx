@@ -213,11 +213,6 @@ vtkOversketchRedraw::vtkOversketchRedraw()
 
 vtkOversketchRedraw::~vtkOversketchRedraw() = default;
 
-void vtkOversketchRedraw::SetCorrectionsData(vtkPolyData* strokes)
-{
-  this->SetInputData(1, strokes);
-}
-
 int vtkOversketchRedraw::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

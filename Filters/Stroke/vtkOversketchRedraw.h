@@ -49,7 +49,7 @@ public:
    * The strokes drawn over the drawing, on port 1.
    */
   void SetCorrectionsConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
-  void SetCorrectionsData(vtkPolyData* strokes);
+  void SetCorrectionsData(vtkPolyData* strokes) { this->SetInputData(1, strokes); }
 
   /**
    * How many times corrections have been applied: executions that the kept result did not answer.

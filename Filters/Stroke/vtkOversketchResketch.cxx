@@ -180,11 +180,6 @@ vtkOversketchResketch::vtkOversketchResketch()
 
 vtkOversketchResketch::~vtkOversketchResketch() = default;
 
-void vtkOversketchResketch::SetStrokeData(vtkPolyData* stroke)
-{
-  this->SetInputData(1, stroke);
-}
-
 int vtkOversketchResketch::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

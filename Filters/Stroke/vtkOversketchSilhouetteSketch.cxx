@@ -117,16 +117,6 @@ vtkOversketchSilhouetteSketch::vtkOversketchSilhouetteSketch()
 
 vtkOversketchSilhouetteSketch::~vtkOversketchSilhouetteSketch() = default;
 
-void vtkOversketchSilhouetteSketch::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
-void vtkOversketchSilhouetteSketch::SetSilhouetteData(vtkPolyData* curves)
-{
-  this->SetInputData(2, curves);
-}
-
 vtkPolyData* vtkOversketchSilhouetteSketch::GetSketchOutput()
 {
   return this->GetOutput(1);

@@ -59,13 +59,13 @@ public:
    * The mesh, on port 1.
    */
   void SetMeshConnection(vtkAlgorithmOutput* mesh) { this->SetInputConnection(1, mesh); }
-  void SetMeshData(vtkPolyData* mesh);
+  void SetMeshData(vtkPolyData* mesh) { this->SetInputData(1, mesh); }
 
   /**
    * The silhouette curves, on port 2.
    */
   void SetSilhouetteConnection(vtkAlgorithmOutput* curves) { this->SetInputConnection(2, curves); }
-  void SetSilhouetteData(vtkPolyData* curves);
+  void SetSilhouetteData(vtkPolyData* curves) { this->SetInputData(2, curves); }
 
   enum ProjectionType
   {

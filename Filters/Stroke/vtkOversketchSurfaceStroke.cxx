@@ -32,11 +32,6 @@ vtkOversketchSurfaceStroke::vtkOversketchSurfaceStroke()
 
 vtkOversketchSurfaceStroke::~vtkOversketchSurfaceStroke() = default;
 
-void vtkOversketchSurfaceStroke::SetMeshData(vtkPolyData* mesh)
-{
-  this->SetInputData(1, mesh);
-}
-
 void vtkOversketchSurfaceStroke::Prepare()
 {
   if (this->GetNumberOfInputConnections(1) == 0)
