@@ -77,7 +77,6 @@ struct Evaluator::Run
   const Session& session;
   const Watch& watch;
   std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
-  const Laid* known;              // of one of the nodes; may be null
   Ports ports;
   std::uint64_t mesh = 0; // the number of the outcome that comes to the node
 };
@@ -91,14 +90,6 @@ struct Evaluator::Runner
 
   std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
-  // A step whose outcome was known, and what that is given: a change of it needs what no run has made.
-  struct Passed
-  {
-    std::shared_ptr<const Step> step;
-    Inputs inputs;
-    int backend;
-  };
-  std::optional<Passed> passed;
   // What is prepared for a mesh, where that is not to take the place of what the last step computed.
   std::unique_ptr<SystemRunner> ahead;
   vtkSmartPointer<vtkPolyData> aheadOf;
@@ -274,7 +265,6 @@ bool Evaluator::make(Run& run,
   runner.turnTo(inputs);
   ++this->Runs;
   runner.last = 0;
-  runner.passed.reset();
   if (!runner.steps->run(step, inputs, run.session.backend, ports, listener, outcome))
   {
     return false;
@@ -286,23 +276,6 @@ bool Evaluator::make(Run& run,
     wearPictures(step, *findSystem(step.system, this->Rows), decoded, outcome.mesh);
   }
   runner.last = outcome.failure.empty() ? number : 0;
-  return true;
-}
-
-bool Evaluator::takeKnown(Run& run, std::size_t index, const Inputs& inputs, const std::set<int>& ports)
-{
-  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
-  Outcome& outcome = run.outcomes[index];
-  const auto isOfAnother = [](const auto& input) { return std::holds_alternative<StepOutput>(input.second); };
-  if (!run.known || run.known->step != step || step->mirror || step->part || !outcome.mesh ||
-      !isShallowCopy(run.known->mesh, outcome.mesh) ||
-      std::any_of(step->inputs.begin(), step->inputs.end(), isOfAnother))
-  {
-    return false;
-  }
-  Runner& runner = *this->runner(step->system);
-  outcome = outcomeOf(*run.known, outcome.mesh, ports);
-  runner.passed = Runner::Passed{ step, inputs, run.session.backend };
   return true;
 }
 
@@ -382,9 +355,8 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   }
   else
   {
-    const bool done = this->takeKnown(run, index, inputs, ports) ||
-                      (step->part ? this->makePart(run, index, inputs, number, ports, outcome)
-                                  : this->make(run, index, inputs, number, ports, outcome));
+    const bool done = step->part ? this->makePart(run, index, inputs, number, ports, outcome)
+                                 : this->make(run, index, inputs, number, ports, outcome);
     if (!done)
     {
       return false;
@@ -401,29 +373,18 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   return true;
 }
 
-bool Evaluator::run(const Session& session,
-  const Watch& watch,
-  std::vector<Outcome>& outcomes,
-  const Laid* known)
+bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes)
 {
   outcomes.clear();
   this->forget();
   ++this->RunCount;
-  Run run{ session, watch, outcomes, known, portsOf(session) };
+  Run run{ session, watch, outcomes, portsOf(session) };
   const auto isThere = [&session](const auto& isIt)
   { return std::any_of(session.nodes.begin(), session.nodes.end(), isIt); };
   for (auto it = this->Parts.begin(); it != this->Parts.end();)
   {
     const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
     it = isThere(isIt) ? std::next(it) : this->Parts.erase(it);
-  }
-  for (const auto& named : this->Runners)
-  {
-    auto& passed = named.second->passed;
-    if (passed && !isThere([&](const Node& node) { return node.step == passed->step; }))
-    {
-      passed.reset();
-    }
   }
   run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
@@ -481,7 +442,6 @@ void Evaluator::releaseWork()
   {
     named.second->steps->releaseWork();
     named.second->last = 0;
-    named.second->passed.reset();
   }
 }
 
@@ -490,15 +450,6 @@ void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, co
   Listener listener;
   listener.cancelled = watch.cancelled;
   Runner& runner = *this->runner(row.name);
-  if (runner.passed)
-  {
-    runner.turnTo(runner.passed->inputs);
-    if (!runner.steps->prepare(*runner.passed->step, runner.passed->inputs, runner.passed->backend, listener))
-    {
-      return;
-    }
-    runner.passed.reset();
-  }
   if (!row.followsHand)
   {
     runner.steps->prepare(mesh, backend, listener);

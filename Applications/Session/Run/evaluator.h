@@ -47,12 +47,7 @@ public:
   // One outcome a node. A node that fails is passed by, with its reason; the rest goes on. What was run
   // before for the same steps in the same order on the same mesh is not run again. The same session gives the
   // same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes before.
-  // What is known of a step already is taken where the same mesh comes to it, in place of a run; what a
-  // change of that step will need is made by prepare().
-  bool run(const Session& session,
-    const Watch& watch,
-    std::vector<Outcome>& outcomes,
-    const Laid* known = nullptr);
+  bool run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes);
 
   // What comes after the meshes: fills in the details of those outcomes of the last run that acted. Where the
   // run was not watched for them, only of the last that each system ran. Returns false when it was cancelled:
@@ -63,8 +58,8 @@ public:
   // once their details are there.
   void releaseWork();
 
-  // Computes what the next step of a system on this mesh will need whatever it is, and a change of one whose
-  // outcome was known without a run, until cancelled. Nothing depends on it but time.
+  // Computes what the next step of a system on this mesh will need whatever it is, until cancelled. Nothing
+  // depends on it but time.
   void prepare(const SystemRow& row, vtkPolyData* mesh, int backend, const Watch& watch);
 
   // Steps run since the start, to see what was kept.
@@ -124,8 +119,6 @@ private:
     std::uint64_t number,
     const std::set<int>& ports,
     Outcome& outcome);
-  // Takes what is known of a node's step for its outcome; false where that cannot be.
-  bool takeKnown(Run& run, std::size_t index, const Inputs& inputs, const std::set<int>& ports);
   // Why a step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they are.
   std::string resolve(Run& run,
     std::size_t index,

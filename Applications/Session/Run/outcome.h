@@ -3,7 +3,6 @@
 #define oversketch_applications_session_run_outcome_h
 
 #include "session.h"
-#include "shared_data.h"
 
 #include "Mesh/message.h"
 
@@ -56,17 +55,6 @@ struct Outcome
   // Equal numbers, equal outcomes; 0 where it did nothing.
   std::uint64_t number = 0;
   std::shared_ptr<const Details> details; // see Evaluator::details
-};
-
-// What an interface's own system has made of a step that leaves its mesh as it comes, so that nobody need
-// make it again (laidBy, system_runner.h).
-struct Laid
-{
-  std::shared_ptr<const Step> step;
-  SharedData mesh; // that came to it
-  SharedData hold, region;
-  std::map<int, SharedData> outputs; // all ports but 0
-  int backendUsed = 0;
 };
 
 } // namespace oversketch_session

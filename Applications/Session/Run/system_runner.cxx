@@ -475,17 +475,6 @@ void SystemRunner::prepare(vtkPolyData* mesh, int backend, const Listener& liste
     return;
   }
   this->System->SetInputDataObject(input->port, shared(mesh));
-  this->prepareFed(backend, listener);
-}
-
-bool SystemRunner::prepare(const Step& step, const Data& inputs, int backend, const Listener& listener)
-{
-  this->feed(step.values, inputs);
-  return this->prepareFed(backend, listener);
-}
-
-bool SystemRunner::prepareFed(int backend, const Listener& listener)
-{
   this->System->SetBackend(backend);
   try
   {
@@ -494,49 +483,8 @@ bool SystemRunner::prepareFed(int backend, const Listener& listener)
   }
   catch (const oversketch::Error&)
   {
-    return false; // cancelled
+    // cancelled
   }
-  return true;
-}
-
-Laid laidBy(vtkOversketchSystem* system, const SharedData& mesh)
-{
-  const auto copied = [](vtkPolyData* data)
-  {
-    auto copy = vtkSmartPointer<vtkPolyData>::New();
-    copy->DeepCopy(data);
-    return SharedData(copy);
-  };
-  Laid laid;
-  laid.mesh = mesh;
-  vtkNew<vtkPolyData> hold, region;
-  system->GetHold(hold);
-  system->GetRegion(region);
-  laid.hold = copied(hold);
-  laid.region = copied(region);
-  for (int port = 1; port < system->GetNumberOfOutputPorts(); ++port)
-  {
-    laid.outputs[port] = copied(vtkPolyData::SafeDownCast(system->GetOutputDataObject(port)));
-  }
-  laid.backendUsed = system->GetBackendUsed();
-  return laid;
-}
-
-Outcome outcomeOf(const Laid& laid, vtkPolyData* mesh, const std::set<int>& ports)
-{
-  Outcome outcome;
-  outcome.mesh = shared(mesh);
-  for (const int port : ports)
-  {
-    outcome.outputs[port] = laid.outputs.at(port).own();
-  }
-  outcome.hold = laid.hold.own();
-  outcome.section = sectionOf(outcome.hold);
-  outcome.backendUsed = laid.backendUsed;
-  auto details = std::make_shared<Details>();
-  details->region = laid.region.own();
-  outcome.details = details;
-  return outcome;
 }
 
 } // namespace oversketch_session

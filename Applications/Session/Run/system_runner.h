@@ -70,9 +70,6 @@ public:
   // but time.
   void prepare(vtkPolyData* mesh, int backend, const Listener& listener);
 
-  // The same for a change of a step that has not been run. False when cancelled.
-  bool prepare(const Step& step, const Data& inputs, int backend, const Listener& listener);
-
   // Gives back what no other mesh can use of the last step's work; there are no details of it any more.
   void releaseWork();
 
@@ -102,7 +99,6 @@ private:
   bool followPartners(const Task& task, Outcome& outcome);
 
   void feed(const Values& values, const Data& inputs);
-  bool prepareFed(int backend, const Listener& listener); // false when cancelled
   std::shared_ptr<const Following> following(vtkPolyData* made, const std::function<bool()>& cancelled);
 
   const SystemRow& Row;
@@ -114,12 +110,6 @@ private:
   std::unique_ptr<TwoSides> Sides;
   std::unique_ptr<SystemRunner> Image; // runs the other sides, with an instance of its own
 };
-
-// What a system's last run has made of a step that leaves that mesh as it comes, as copies. The system is not
-// one that can be dragged.
-Laid laidBy(vtkOversketchSystem* system, const SharedData& mesh);
-// The outcome that it is, with those output ports, which it must have, for the mesh that comes to the step.
-Outcome outcomeOf(const Laid& laid, vtkPolyData* mesh, const std::set<int>& ports);
 
 } // namespace oversketch_session
 #endif

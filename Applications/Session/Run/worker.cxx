@@ -116,7 +116,7 @@ Worker::~Worker()
   this->Thread.join();
 }
 
-std::uint64_t Worker::submit(Session session, std::shared_ptr<const Laid> known)
+std::uint64_t Worker::submit(Session session)
 {
   std::uint64_t replaced = 0, ticket = 0;
   {
@@ -128,7 +128,6 @@ std::uint64_t Worker::submit(Session session, std::shared_ptr<const Laid> known)
       this->Wanted = ticket;
     }
     this->Next = std::move(session);
-    this->Known = std::move(known);
     this->Glance.reset();
     this->Grounded.reset();
     this->Waiting = true;
@@ -157,7 +156,6 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->Mutex);
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
-    this->Known = nullptr;
     this->Glance.reset();
     this->Grounded.reset();
     this->Waiting = false;
@@ -206,7 +204,6 @@ void Worker::work()
   for (;;)
   {
     std::optional<Session> session;
-    std::shared_ptr<const Laid> known;
     std::uint64_t ticket = 0;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
@@ -216,7 +213,6 @@ void Worker::work()
         return;
       }
       session = std::exchange(this->Next, std::nullopt);
-      known = std::exchange(this->Known, nullptr);
       if (session)
       {
         this->Running = session;
@@ -225,7 +221,7 @@ void Worker::work()
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    session ? this->runOne(ticket, *session, known.get()) : this->runAside(ticket);
+    session ? this->runOne(ticket, *session) : this->runAside(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
@@ -361,7 +357,7 @@ void Worker::show(vtkPolyData* mesh, Result& result)
   result.display = shared(this->Display);
 }
 
-void Worker::runOne(std::uint64_t ticket, const Session& session, const Laid* known)
+void Worker::runOne(std::uint64_t ticket, const Session& session)
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -376,7 +372,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session, const Laid* kn
     }
   };
   std::vector<Outcome> outcomes;
-  if (!this->Runner.run(session, watch, outcomes, known) || watch.cancelled())
+  if (!this->Runner.run(session, watch, outcomes) || watch.cancelled())
   {
     if (this->Report.cancelled)
     {

@@ -92,9 +92,8 @@ public:
   Worker& operator=(const Worker&) = delete;
 
   // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
-  // The session's data must not be changed afterwards. What is known of one of its steps need not be made
-  // (Evaluator::run). Returns the ticket, one more than the last.
-  std::uint64_t submit(Session session, std::shared_ptr<const Laid> known = nullptr);
+  // The session's data must not be changed afterwards. Returns the ticket, one more than the last.
+  std::uint64_t submit(Session session);
   // The result of a ticket is on screen: what comes after it may take the processors.
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
@@ -110,7 +109,7 @@ public:
 
 private:
   void work();
-  void runOne(std::uint64_t ticket, const Session& session, const Laid* known);
+  void runOne(std::uint64_t ticket, const Session& session);
   // What is asked for beside the session that runs.
   void runAside(std::uint64_t ticket);
   void runGlance(std::uint64_t ticket, const Session& session);
@@ -144,7 +143,6 @@ private:
   std::mutex Mutex;
   std::condition_variable Wake;
   std::optional<Session> Next, Running, Glance, Grounded;
-  std::shared_ptr<const Laid> Known;         // of the next one
   std::uint64_t Number = 0;                  // of the last such asking
   std::uint64_t Ticket = 0;                  // of the newest session
   std::uint64_t Seen = 0;                    // of the newest result that was

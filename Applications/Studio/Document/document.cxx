@@ -51,15 +51,6 @@ std::vector<SharedPicture> picturesOf(const Session& session)
   return pictures;
 }
 
-// Says that it is of that node's step.
-void of(const Node& node, const std::shared_ptr<Laid>& known)
-{
-  if (known)
-  {
-    known->step = node.step;
-  }
-}
-
 } // namespace
 
 Document::Document(QObject* parent)
@@ -315,7 +306,7 @@ std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
   return MirrorPlane{ axis, aside ? middle : 0.0 };
 }
 
-void Document::add(const Step& step, const SharedLaid& known)
+void Document::add(const Step& step)
 {
   Session next = this->session();
   Node node;
@@ -324,8 +315,7 @@ void Document::add(const Step& step, const SharedLaid& known)
   node.name = tr("%1 %2").arg(titleOf(step.system)).arg(next.nodes.size() + 1).toStdString();
   next.nodes.insert(next.nodes.begin() + this->shownTo(), node);
   this->Last = this->Last ? std::optional<int>(node.id) : std::nullopt;
-  of(node, known);
-  this->commit(std::move(next), Change::Drawn, known);
+  this->commit(std::move(next), Change::Drawn);
 }
 
 void Document::redraw(int index, const Step& drawn)
@@ -335,7 +325,7 @@ void Document::redraw(int index, const Step& drawn)
   this->remake(index, step);
 }
 
-void Document::remake(int index, const Step& made, const SharedLaid& known)
+void Document::remake(int index, const Step& made)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
@@ -344,8 +334,7 @@ void Document::remake(int index, const Step& made, const SharedLaid& known)
   step->values = made.values;
   node.step = step;
   node.committed.reset(); // it takes hold anew
-  of(node, known);
-  this->commit(std::move(next), Change::Drawn, known);
+  this->commit(std::move(next), Change::Drawn);
 }
 
 void Document::setStrokes(int index, const std::vector<DrawnStroke>& strokes)
@@ -489,28 +478,28 @@ void Document::cancel()
   }
 }
 
-void Document::commit(Session session, Change change, const SharedLaid& known)
+void Document::commit(Session session, Change change)
 {
   if (this->takes(session))
   {
     this->Changes->commit(std::move(session));
-    this->run(change, known);
+    this->run(change);
   }
 }
 
-void Document::run(Change change, const SharedLaid& known)
+void Document::run(Change change)
 {
-  this->submit(known);
+  this->submit();
   this->keep(); // before its result is there, so that no crash can take the stroke
   emit this->changed(change);
 }
 
-void Document::submit(const SharedLaid& known)
+void Document::submit()
 {
   this->Shaped = 0;
   Session shown = this->session();
   shown.nodes.resize(indexOf(this->shownTo()));
-  this->Ticket = this->Background->submit(std::move(shown), known);
+  this->Ticket = this->Background->submit(std::move(shown));
 }
 
 void Document::keep()

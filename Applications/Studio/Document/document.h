@@ -111,12 +111,11 @@ public:
   std::optional<oversketch_session::MirrorPlane> mirrorPlane(int choice) const;
 
   // Changes of the history, each one step of undo. A step that the hand has made; what it has made of a step
-  // that is there: the inputs of another. What the hand knows of it need not be made again.
-  using SharedLaid = std::shared_ptr<oversketch_session::Laid>;
-  void add(const oversketch_session::Step& step, const SharedLaid& known = {});
+  // that is there: the inputs of another.
+  void add(const oversketch_session::Step& step);
   void redraw(int node, const oversketch_session::Step& step);
   // The same with its values.
-  void remake(int node, const oversketch_session::Step& step, const SharedLaid& known = {});
+  void remake(int node, const oversketch_session::Step& step);
   // The strokes of a step that was given several: one is another, off, gone.
   void setStrokes(int node, const std::vector<oversketch_session::DrawnStroke>& strokes);
   void setParameters(int node,
@@ -201,9 +200,7 @@ signals:
 
 private:
   void start(oversketch_session::Session session, bool saved, std::vector<SharedPicture> pictures);
-  void commit(oversketch_session::Session session,
-    Change change = Change::Edited,
-    const SharedLaid& known = {});
+  void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
   void commitScene(oversketch_session::Session session);
   bool takes(const oversketch_session::Session& next);
@@ -211,8 +208,8 @@ private:
   void turnFrom(const oversketch_session::Session& before);
   oversketch_session::Session chosen(int place) const;
   void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
-  void run(Change change, const SharedLaid& known = {});
-  void submit(const SharedLaid& known = {}); // what is shown
+  void run(Change change);
+  void submit(); // what is shown
   void keep();
   void take(const oversketch_session::Worker::Result& result, const std::vector<SharedPicture>& worn);
   void holdWorn(); // what models at rest wear

@@ -5,7 +5,6 @@
 #include "edit_step.h"
 #include "latency.h"
 #include "message_text.h"
-#include "system_runner.h"
 #include "viewport.h"
 
 #include "vtkOversketchAreaSelectRepresentation.h"
@@ -521,10 +520,7 @@ void EditHand::publish()
       Latency::of().regionHas(inside.size());
     }
     const Step step = this->Loaded.step;
-    vtkOversketchEdit* edit = this->Widget->GetEdit();
-    const auto known =
-      edit->GetMovedPoints() > 0 ? nullptr : std::make_shared<Laid>(laidBy(edit, this->Loaded.mesh));
-    isNew ? emit this->drawn(step, known) : emit this->remade(step, known);
+    isNew ? emit this->drawn(step) : emit this->remade(step);
     this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;
     this->Loaded.id = this->OfferedId;
   }

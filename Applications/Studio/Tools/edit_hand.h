@@ -74,9 +74,8 @@ public:
   void showLines(bool show);
 
 signals:
-  // With what it knows of the step, where that leaves its mesh as it is.
-  void drawn(const oversketch_session::Step& step, const std::shared_ptr<oversketch_session::Laid>& known);
-  void remade(const oversketch_session::Step& step, const std::shared_ptr<oversketch_session::Laid>& known);
+  void drawn(const oversketch_session::Step& step);
+  void remade(const oversketch_session::Step& step);
   // The hand has let go, or what it can do is another thing than before.
   void left();
   void arranged();

@@ -18,21 +18,21 @@ EditTool::EditTool(const std::shared_ptr<EditHand>& hand, int mode, Viewport* vi
   connect(hand.get(),
     &EditHand::drawn,
     this,
-    [this, isHeld](const Step& step, const std::shared_ptr<Laid>& known)
+    [this, isHeld](const Step& step)
     {
       if (isHeld())
       {
-        emit this->drawn(step, known);
+        emit this->drawn(step);
       }
     });
   connect(hand.get(),
     &EditHand::remade,
     this,
-    [this, isHeld](const Step& step, const std::shared_ptr<Laid>& known)
+    [this, isHeld](const Step& step)
     {
       if (isHeld())
       {
-        emit this->remade(step, known);
+        emit this->remade(step);
       }
     });
   for (const auto signal : { &EditHand::left, &EditHand::arranged })

@@ -123,13 +123,11 @@ public:
   virtual void showLines(bool) {}
 
 signals:
-  // The hand has made a step, of which it may know all already; it has changed the one that was offered.
-  void drawn(const oversketch_session::Step& step,
-    const std::shared_ptr<oversketch_session::Laid>& known = {});
+  // The hand has made a step; it has changed the one that was offered.
+  void drawn(const oversketch_session::Step& step);
   void changed(const oversketch_session::Step& step);
   // The same, inputs and values.
-  void remade(const oversketch_session::Step& step,
-    const std::shared_ptr<oversketch_session::Laid>& known = {});
+  void remade(const oversketch_session::Step& step);
   // What was drawn is no stroke: one is that long at least [px of the screen].
   void tooShort(double least);
   // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.

@@ -246,7 +246,7 @@ void MainWindow::opened()
   }
 }
 
-void MainWindow::stepDrawn(const Step& step, const std::shared_ptr<Laid>& known)
+void MainWindow::stepDrawn(const Step& step)
 {
   if (!this->OpenDocument->isOpen())
   {
@@ -262,7 +262,7 @@ void MainWindow::stepDrawn(const Step& step, const std::shared_ptr<Laid>& known)
     return;
   }
   this->Offered = count;
-  this->OpenDocument->add(step, known);
+  this->OpenDocument->add(step);
   if (this->History->current() >= 0)
   {
     this->History->selectStep(count); // the hand has what it made, no longer another
@@ -277,11 +277,11 @@ void MainWindow::stepChanged(const Step& step)
   }
 }
 
-void MainWindow::stepRemade(const Step& step, const std::shared_ptr<Laid>& known)
+void MainWindow::stepRemade(const Step& step)
 {
   if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
   {
-    this->OpenDocument->remake(this->Offered, step, known);
+    this->OpenDocument->remake(this->Offered, step);
   }
 }
 

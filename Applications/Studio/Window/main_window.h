@@ -134,11 +134,9 @@ private:
   void listenToPanels();
   void listenToTool(Tool* tool);
   void changed(Document::Change change);
-  void stepDrawn(const oversketch_session::Step& step,
-    const std::shared_ptr<oversketch_session::Laid>& known);
+  void stepDrawn(const oversketch_session::Step& step);
   void stepChanged(const oversketch_session::Step& step);
-  void stepRemade(const oversketch_session::Step& step,
-    const std::shared_ptr<oversketch_session::Laid>& known);
+  void stepRemade(const oversketch_session::Step& step);
   void opened();
   void stepShaped(const oversketch_session::Values& values, bool goesOn);
   void setTool(Tool* tool);
