@@ -129,7 +129,6 @@ std::uint64_t Worker::submit(Session session)
     }
     this->Next = std::move(session);
     this->Glance.reset();
-    this->Grounded.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -157,7 +156,6 @@ void Worker::cancel()
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
     this->Glance.reset();
-    this->Grounded.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -182,23 +180,6 @@ void Worker::glance(Session session)
   this->Wake.notify_one();
 }
 
-std::uint64_t Worker::ground(Session session)
-{
-  std::uint64_t number = 0;
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    number = ++this->Number;
-    if (this->Next)
-    {
-      return number;
-    }
-    this->Grounded = std::move(session);
-    this->Waiting = true;
-  }
-  this->Wake.notify_one();
-  return number;
-}
-
 void Worker::work()
 {
   for (;;)
@@ -207,7 +188,7 @@ void Worker::work()
     std::uint64_t ticket = 0;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance || this->Grounded; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
       if (this->Stop)
       {
         return;
@@ -221,30 +202,9 @@ void Worker::work()
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    session ? this->runOne(ticket, *session) : this->runAside(ticket);
+    session ? this->runOne(ticket, *session) : this->runGlance(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
-  }
-}
-
-void Worker::runAside(std::uint64_t ticket)
-{
-  std::optional<Session> grounded, glance;
-  std::uint64_t number = 0;
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    grounded = std::exchange(this->Grounded, std::nullopt);
-    glance = std::exchange(this->Glance, std::nullopt);
-    number = this->Number;
-    this->Waiting = this->Next.has_value();
-  }
-  if (grounded)
-  {
-    this->runGround(ticket, *grounded, number);
-  }
-  if (glance)
-  {
-    this->runGlance(ticket, *glance);
   }
 }
 
@@ -252,10 +212,18 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
 {
   std::map<std::uint64_t, NodeState> copies;
   std::vector<NodeState> states;
-  for (const Outcome& outcome : outcomes)
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
+    const Outcome& outcome = outcomes[i];
     const auto known = this->Copied.find(outcome.number);
-    NodeState state = known == this->Copied.end() ? NodeState() : known->second;
+    const bool isKnown = known != this->Copied.end();
+    NodeState state = isKnown ? known->second : NodeState();
+    if (!isKnown)
+    {
+      state.before =
+        i == 0 ? session.mesh : SharedData(outcomes[i - 1].mesh ? shared(outcomes[i - 1].mesh) : nullptr);
+      state.given = givenTo(session, outcomes, i);
+    }
     if (outcome.hold && !state.hold)
     {
       state.hold = copied(outcome.hold);
@@ -286,55 +254,27 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
     states.push_back(std::move(state));
   }
   this->Copied = std::move(copies);
-  this->addInputs(session, outcomes, states);
   return states;
 }
 
-void Worker::addInputs(const Session& session,
-  const std::vector<Outcome>& outcomes,
-  std::vector<NodeState>& states)
+void Worker::runGlance(std::uint64_t ticket)
 {
-  const auto& nodes = session.nodes;
-  const auto last = std::find_if(nodes.rbegin(), nodes.rend(), [](const Node& node) { return node.on; });
-  const SystemRow* row = last == nodes.rend() ? nullptr : findSystem(last->step->system);
-  if (!row || !row->changedOverInput)
+  std::optional<Session> session;
   {
-    this->Came = nullptr;
-    this->CopyOfCame = {};
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    session = std::exchange(this->Glance, std::nullopt);
+    this->Waiting = this->Next.has_value();
+  }
+  if (!session)
+  {
     return;
   }
-  const auto at = static_cast<std::size_t>(nodes.rend() - last) - 1;
-  const vtkSmartPointer<vtkPolyData> came = at > 0 ? outcomes[at - 1].mesh : nullptr;
-  if (came && came != this->Came)
-  {
-    this->CopyOfCame = shared(came);
-  }
-  this->Came = came;
-  states[at].before = at > 0 ? this->CopyOfCame : session.mesh;
-  states[at].given = givenTo(session, outcomes, at);
-}
-
-void Worker::runGround(std::uint64_t ticket, const Session& session, std::uint64_t number)
-{
   Evaluator::Watch watch;
   watch.cancelled = [&] { return this->Wanted != ticket; };
   std::vector<Outcome> outcomes;
-  if (this->Report.grounded && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
+  if (this->Report.glanced && this->Runner.run(*session, watch, outcomes) && !watch.cancelled())
   {
-    const std::size_t at = session.nodes.size() - 1;
-    this->Report.grounded(number,
-      { at > 0 ? SharedData(shared(outcomes[at - 1].mesh)) : session.mesh, givenTo(session, outcomes, at) });
-  }
-}
-
-void Worker::runGlance(std::uint64_t ticket, const Session& session)
-{
-  Evaluator::Watch watch;
-  watch.cancelled = [&] { return this->Wanted != ticket; };
-  std::vector<Outcome> outcomes;
-  if (this->Report.glanced && this->Runner.run(session, watch, outcomes) && !watch.cancelled())
-  {
-    vtkPolyData* made = resultOf(session, outcomes);
+    vtkPolyData* made = resultOf(*session, outcomes);
     SharedData display;
     if (made)
     {
@@ -434,7 +374,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
         return;
       }
     }
-    this->runAside(ticket);
+    this->runGlance(ticket);
     if (next)
     {
       this->Runner.prepare(*next, shown, session.backend, watch);

@@ -25,17 +25,12 @@ namespace oversketch_session
 class Worker
 {
 public:
-  // What a step acts on: the mesh that comes to it, and what it takes of other steps, by its inputs' names.
-  struct Ground
+  // What one node did, for the history.
+  struct NodeState
   {
-    SharedData before;
-    std::map<std::string, SharedData> given;
-  };
-  // What one node did, for the history. What it acts on, of the last step that is on, where its system says
-  // so (SystemRow::changedOverInput).
-  struct NodeState : Ground
-  {
-    oversketch::Message failure, remark; // see Outcome
+    SharedData before;                       // the mesh that comes to it; null where there is none
+    std::map<std::string, SharedData> given; // what it takes of other steps, by its inputs' names
+    oversketch::Message failure, remark;     // see Outcome
     std::optional<Section> section;
     SharedData hold; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
@@ -77,8 +72,6 @@ public:
       progress;
     // The mesh of a session that was only looked at, as Result::display; null where it makes none.
     std::function<void(SharedData)> glanced;
-    // What was asked for by that number.
-    std::function<void(std::uint64_t number, Ground)> grounded;
     // While nothing else is to be run, after all that: each step's stroke on the mesh that the session shows
     // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
     std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
@@ -104,16 +97,11 @@ public:
   // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
   // last one it is there. The newest such session wins, and a session that is submitted before it.
   void glance(Session session);
-  // Likewise, what the last step of a session acts on. Returns the number of the asking.
-  std::uint64_t ground(Session session);
 
 private:
   void work();
   void runOne(std::uint64_t ticket, const Session& session);
-  // What is asked for beside the session that runs.
-  void runAside(std::uint64_t ticket);
-  void runGlance(std::uint64_t ticket, const Session& session);
-  void runGround(std::uint64_t ticket, const Session& session, std::uint64_t number);
+  void runGlance(std::uint64_t ticket);
   // Fills in both meshes.
   void show(vtkPolyData* mesh, Result& result);
   // What the outcomes are, as copies; of those that were copied for the last session the same ones.
@@ -127,10 +115,6 @@ private:
     const Session& session,
     const std::vector<Outcome>& outcomes,
     const std::function<bool()>& cancelled);
-  // Adds what the last step that is on acts on.
-  void addInputs(const Session& session,
-    const std::vector<Outcome>& outcomes,
-    std::vector<NodeState>& states);
 
   Listener Report;
   Evaluator Runner;
@@ -138,12 +122,9 @@ private:
   // Likewise, also of steps that are off or undone for now.
   std::map<std::uint64_t, std::shared_ptr<const Thumbnail>> Pictures;
   vtkSmartPointer<vtkPolyData> Shown, Display; // the last mesh, and the same with normals
-  vtkSmartPointer<vtkPolyData> Came;           // the mesh that the last step acts on, and its copy
-  SharedData CopyOfCame;
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Session> Next, Running, Glance, Grounded;
-  std::uint64_t Number = 0;                  // of the last such asking
+  std::optional<Session> Next, Running, Glance;
   std::uint64_t Ticket = 0;                  // of the newest session
   std::uint64_t Seen = 0;                    // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 };    // the ticket that may run; all others are to stop

@@ -351,7 +351,6 @@ SystemRow edit()
   };
   row.runsTwice = true;
   row.followsHand = true;
-  row.changedOverInput = true;
   return row;
 }
 #endif

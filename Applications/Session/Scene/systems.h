@@ -122,9 +122,6 @@ struct SystemRow
   // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
   // what is prepared for the next one.
   bool followsHand = false;
-  // A hand changes its last step over the mesh that comes to it: an interface is given that mesh, and the
-  // curves that the step takes of others (Worker::NodeState).
-  bool changedOverInput = false;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
 };

@@ -31,7 +31,6 @@ struct Desk
   std::vector<std::uint64_t> cancelled;
   std::vector<std::string> stages;
   std::vector<SharedData> glances;
-  std::map<std::uint64_t, Worker::Ground> grounds;
   std::size_t pictures = 0;
 
   Worker::Listener listener()
@@ -59,12 +58,6 @@ struct Desk
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->glances.push_back(mesh);
-      this->told.notify_all();
-    };
-    listener.grounded = [this](std::uint64_t number, const Worker::Ground& ground)
-    {
-      const std::lock_guard<std::mutex> lock(this->mutex);
-      this->grounds[number] = ground;
       this->told.notify_all();
     };
     listener.pictured = [this](std::uint64_t, std::size_t, const std::shared_ptr<const Thumbnail>&)
@@ -150,30 +143,6 @@ TEST(Worker, AGlanceGivesAnEarlierMeshAndChangesNothing)
   worker.submit(session);
   ASSERT_TRUE(desk.wait([&] { return desk.done.size() == 2; }));
   EXPECT_TRUE(identical(desk.done[0].mesh, desk.done[1].mesh));
-}
-
-TEST(Worker, TellsWhatAnEarlierStepActsOnWhileTheRestGoesOn)
-{
-  const Session session = dogSession();
-  Session before = session, first = session;
-  before.nodes.resize(1);
-  first.nodes.resize(1);
-  const std::string expected = expectedOf(before);
-  Desk desk;
-  Worker worker(desk.listener());
-  worker.submit(session);
-  ASSERT_TRUE(desk.wait([&] { return !desk.details.empty(); }));
-  const std::size_t stages = desk.stages.size();
-  // Asked for before pictures are made: they come all the same.
-  const std::uint64_t ofLast = worker.ground(session);
-  ASSERT_TRUE(desk.wait([&] { return desk.grounds.count(ofLast) > 0; }));
-  EXPECT_EQ(digestOf(desk.grounds.at(ofLast).before), expected);
-  const std::uint64_t ofFirst = worker.ground(first);
-  ASSERT_TRUE(desk.wait([&] { return desk.grounds.count(ofFirst) > 0; }));
-  EXPECT_EQ(digestOf(desk.grounds.at(ofFirst).before), digestOf(session.mesh));
-  EXPECT_TRUE(desk.wait([&] { return desk.pictures == session.nodes.size(); }));
-  EXPECT_EQ(desk.stages.size(), stages) << "a step was run for it";
-  EXPECT_EQ(desk.done.size(), 1u);
 }
 
 TEST(Worker, WhatAGlanceInterruptsGoesOn)

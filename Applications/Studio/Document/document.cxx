@@ -124,11 +124,6 @@ Document::Document(QObject* parent)
     QMetaObject::invokeMethod(
       this, [this, mesh] { emit this->glanced(mesh); }, Qt::QueuedConnection);
   };
-  listener.grounded = [this](std::uint64_t number, const Worker::Ground& ground)
-  {
-    QMetaObject::invokeMethod(
-      this, [this, number, ground] { emit this->grounded(number, ground); }, Qt::QueuedConnection);
-  };
   this->Background = std::make_unique<Worker>(std::move(listener));
   this->Saver.onKept(
     [this]

@@ -149,9 +149,6 @@ public:
 
   // Makes the mesh that comes to a node's step, for glanced().
   void glanceBefore(int node);
-  // Makes what a node's step acts on, for grounded(); returns the number that it comes by. Where the session
-  // is run before, it does not come.
-  std::uint64_t askGround(int node) const;
 
   // Of larger models the steps' work is not kept (Worker::keepWorkUpTo).
   void keepWorkUpTo(vtkIdType triangles) { this->Background->keepWorkUpTo(triangles); }
@@ -187,7 +184,6 @@ signals:
   void detailed();
   // The mesh that was asked for, with normals; null where there is none.
   void glanced(const oversketch_session::SharedData& mesh);
-  void grounded(std::uint64_t number, const oversketch_session::Worker::Ground& ground);
   // Each step's stroke on the surface has come (Worker::Listener::traced); a step's picture has.
   void traced();
   void pictured(int node);

@@ -64,13 +64,6 @@ int Document::shownTo() const
   return static_cast<int>(last - nodes.begin()) + 1;
 }
 
-std::uint64_t Document::askGround(int node) const
-{
-  Session until = this->session();
-  until.nodes.resize(indexOf(node) + 1);
-  return this->Background->ground(std::move(until));
-}
-
 void Document::showTo(int count)
 {
   const std::vector<Node>& nodes = this->session().nodes;

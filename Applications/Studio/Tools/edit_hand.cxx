@@ -1,7 +1,6 @@
 #include "edit_hand.h"
 
 #include "document.h"
-#include "edit_ground.h"
 #include "edit_step.h"
 #include "latency.h"
 #include "message_text.h"
@@ -47,7 +46,6 @@ constexpr double curveGrabDistance = 8.0, shortestLine = 10.0; // px as Qt count
 EditHand::EditHand(Viewport* viewport, const Document* document)
   : View(viewport)
   , OpenDocument(document)
-  , Ground(new EditGround(document, this))
   , Soon(new QTimer(this))
   , Mode(vtkOversketchEditWidget::Direct)
 {
@@ -71,7 +69,6 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   }
   this->Soon->setSingleShot(true);
   connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
-  connect(this->Ground, &EditGround::came, this, &EditHand::arrange);
   // Return is done with the edit, so that the next line can be drawn there.
   connect(viewport,
     &Viewport::returned,
@@ -139,24 +136,40 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
   this->OfferedId = id;
   this->Offered = step;
   this->State = state;
-  this->Buried = !state.before;
+  this->Buried = !this->later().empty();
   this->arrange();
+}
+
+// The places of those steps after the offered one that are on and shown.
+std::vector<std::size_t> EditHand::later() const
+{
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const auto isOffered = [this](const Node& node) { return node.id == this->OfferedId; };
+  const auto offered = std::find_if(nodes.begin(), nodes.end(), isOffered);
+  std::vector<std::size_t> places;
+  const std::size_t shown = indexOf(this->OpenDocument->shownTo());
+  for (auto i = static_cast<std::size_t>(offered - nodes.begin()) + 1; i < shown; ++i)
+  {
+    if (nodes[i].on)
+    {
+      places.push_back(i);
+    }
+  }
+  return places;
 }
 
 QStringList EditHand::lost() const
 {
-  return this->Buried ? this->Ground->lost(this->OfferedId) : QStringList();
-}
-
-// Whether what the offered step acts on is there: of one that others act on it has to be asked for.
-bool EditHand::isKnown()
-{
-  if (this->Buried)
+  QStringList names;
+  const auto& states = this->OpenDocument->result().nodes;
+  for (const std::size_t i : this->Buried ? this->later() : std::vector<std::size_t>())
   {
-    const Worker::Ground* ground = this->Ground->of(this->OfferedId);
-    static_cast<Worker::Ground&>(this->State) = ground ? *ground : Worker::Ground();
+    if (i < states.size() && (!states[i].failure.empty() || states[i].elsewhere))
+    {
+      names << QString::fromStdString(this->OpenDocument->session().nodes[i].name);
+    }
   }
-  return bool(this->State.before);
+  return names;
 }
 
 // Whether the picture that the offered step's weights are painted in is there, decoded.
@@ -317,7 +330,7 @@ void EditHand::arrange()
   {
     this->begin();
   }
-  else if (!this->isKnown() || !this->hasWeights())
+  else if (!this->State.before || !this->hasWeights())
   {
     this->rest();
   }

@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QTimer;
 class vtkCallbackCommand;
@@ -29,7 +30,6 @@ namespace oversketch_studio
 {
 
 class Document;
-class EditGround;
 class Viewport;
 
 class EditHand : public QObject
@@ -96,7 +96,7 @@ private:
   void arrange();
   void arrangeSoon();
   void rest();
-  bool isKnown();
+  std::vector<std::size_t> later() const;
   bool hasWeights();
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.
@@ -124,7 +124,6 @@ private:
   vtkNew<vtkPolyData> Live;
   BothSides Mirrored;
   vtkNew<vtkCallbackCommand> Observer;
-  EditGround* Ground; // of a step that later ones act on
   QTimer* Soon;
   int Mode;
   bool Held = false, Loading = false, Late = false, Buried = false;
