@@ -18,17 +18,6 @@
 
 using namespace oversketch;
 
-vtkStandardNewMacro(vtkOversketchToldRetriangulate);
-
-void vtkOversketchToldRetriangulate::Tell(std::shared_ptr<const Motion> motion)
-{
-  if (motion != this->Known)
-  {
-    this->Known = std::move(motion);
-    this->Modified();
-  }
-}
-
 vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)
   : Self(self)
 {
@@ -402,8 +391,8 @@ void vtkOversketchEdit::Pipeline::RunTriangles()
   {
     return;
   }
-  const bool isTold = this->Retriangulate->GetRule() == vtkOversketchRetriangulate::Edit;
-  this->Retriangulate->Tell(isTold ? this->FindMotion() : nullptr);
+  const bool isByEdit = this->Retriangulate->GetRule() == vtkOversketchRetriangulate::Edit;
+  this->Retriangulate->SetMotion(isByEdit ? this->FindMotion() : nullptr);
   vtkPolyData* moved = this->Self->StageOutput(this->DeformName());
   const StepKey key({ WholeKey(moved) }, {});
   if (this->Bare->GetNumberOfPoints() == 0 || this->BareSeen != key)

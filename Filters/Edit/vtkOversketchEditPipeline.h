@@ -43,24 +43,6 @@
 #include <utility>
 #include <vector>
 
-// The step that is told what the edit does between vertices.
-class vtkOversketchToldRetriangulate : public vtkOversketchRetriangulate
-{
-public:
-  static vtkOversketchToldRetriangulate* New();
-  vtkTypeMacro(vtkOversketchToldRetriangulate, vtkOversketchRetriangulate);
-
-  void Tell(std::shared_ptr<const oversketch::Motion> motion);
-
-protected:
-  vtkOversketchToldRetriangulate() = default;
-  ~vtkOversketchToldRetriangulate() override = default;
-
-private:
-  vtkOversketchToldRetriangulate(const vtkOversketchToldRetriangulate&) = delete;
-  void operator=(const vtkOversketchToldRetriangulate&) = delete;
-};
-
 struct vtkOversketchEdit::Pipeline
 {
   explicit Pipeline(vtkOversketchEdit* self);
@@ -173,7 +155,7 @@ struct vtkOversketchEdit::Pipeline
   vtkNew<vtkOversketchCrossSection> Section;
   vtkNew<vtkOversketchResketch> Redraw;
   vtkNew<vtkOversketchProfileDeform> Bend;
-  vtkNew<vtkOversketchToldRetriangulate> Retriangulate;
+  vtkNew<vtkOversketchRetriangulate> Retriangulate;
 
   // Weights on the mesh, with normals that turn with it.
   vtkNew<vtkPolyData> Weighted;
@@ -190,7 +172,7 @@ struct vtkOversketchEdit::Pipeline
   oversketch::StepKey DrawnSeen;
 
   oversketch::StepKey MotionSeen;
-  std::shared_ptr<const oversketch::Motion> Motion; // that the last step was told
+  std::shared_ptr<const oversketch::Motion> Motion; // that the last step goes by
 
   // Of the last output, as shallow copies.
   struct Result

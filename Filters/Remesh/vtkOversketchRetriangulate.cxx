@@ -164,6 +164,15 @@ vtkOversketchRetriangulate::vtkOversketchRetriangulate()
 
 vtkOversketchRetriangulate::~vtkOversketchRetriangulate() = default;
 
+void vtkOversketchRetriangulate::SetMotion(std::shared_ptr<const Motion> motion)
+{
+  if (motion != this->Known)
+  {
+    this->Known = std::move(motion);
+    this->Modified();
+  }
+}
+
 int vtkOversketchRetriangulate::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -8,9 +8,8 @@
  *
  * Departure: the rule of the thesis goes by curvature, which is found in the noise of an unchanged region
  * too, and puts new vertices onto the facets of a stretched surface. Rule Edit splits edges before the edit
- * by what the edit makes of them, and remeshes what it has changed. What moved the vertices is not known
- * here: between them the motion is taken to be as smooth as Kernels/Remesh/motion.h says. Who knows it hands
- * it over (vtkOversketchEdit).
+ * by what the edit makes of them, and remeshes what it has changed. Between
+ * vertices the motion is as smooth as Kernels/Remesh/motion.h says, where SetMotion does not give it.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, moved by the edit, with point array EditRegion (0 outside, 1 on
  * the boundary, 2 strictly inside; vtkOversketchEnclose) and field array MeanEdge (vtkOversketchMeanEdge);
@@ -91,6 +90,12 @@ public:
   ///@}
 
   /**
+   * The motion of the edit at every place of the mesh before it (Kernels/Remesh/motion.h), for rule Edit;
+   * null (default): it is found between the two meshes. For C++, as vtkOversketchEdit sets it.
+   */
+  void SetMotion(std::shared_ptr<const oversketch::Motion> motion);
+
+  /**
    * Splits, collapses and swaps that the output was made with.
    */
   vtkGetMacro(OperationCount, vtkIdType);
@@ -106,14 +111,12 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  // What moved the vertices, of the mesh before the edit, for an heir that knows it; null: it is found.
-  std::shared_ptr<const oversketch::Motion> Known;
-
 private:
   vtkOversketchRetriangulate(const vtkOversketchRetriangulate&) = delete;
   void operator=(const vtkOversketchRetriangulate&) = delete;
 
   int Rule = Edit;
+  std::shared_ptr<const oversketch::Motion> Known;
   vtkIdType OperationCount = 0;
   vtkIdType RetriangulationCount = 0;
 
