@@ -23,7 +23,7 @@ namespace
 
 struct Recorded
 {
-  Session session;
+  Model model;
   Record record;
 };
 struct Replayed
@@ -44,7 +44,7 @@ std::vector<Recorded> modelsIn(const SessionFile& file, const Options& options)
   std::vector<Recorded> models;
   for (std::size_t place = 0, other = 0; place < count; ++place)
   {
-    const bool isChosen = place == file.session.scene.place;
+    const bool isChosen = place == file.session.place;
     if (options.model == 0 || place + 1 == static_cast<std::size_t>(options.model))
     {
       models.push_back({ modelAt(file.session, place),
@@ -55,36 +55,36 @@ std::vector<Recorded> modelsIn(const SessionFile& file, const Options& options)
   return models;
 }
 
-Replayed replay(Recorded model)
+Replayed replay(Recorded recorded)
 {
-  Session& session = model.session;
+  Model& model = recorded.model;
   // On the same back end as then: what "auto" chose there may not be what it chooses here.
-  if (!model.record.digest.empty())
+  if (!recorded.record.digest.empty())
   {
-    session.backend =
-      model.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
+    model.backend =
+      recorded.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
-  const double count = static_cast<double>(session.nodes.size());
+  const double count = static_cast<double>(model.nodes.size());
   Evaluator evaluator;
   Evaluator::Watch watch;
   watch.cancelled = interrupted;
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
   { showProgress((static_cast<double>(node) + share) / count, stage); };
   std::vector<Outcome> outcomes;
-  evaluator.run(session, watch, outcomes);
+  evaluator.run(model, watch, outcomes);
   throwIfInterrupted();
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
     if (!outcomes[i].failure.empty())
     {
-      warn("'" + session.nodes[i].name + "' did nothing: " + outcomes[i].failure.text());
+      warn("'" + model.nodes[i].name + "' did nothing: " + outcomes[i].failure.text());
     }
     for (const oversketch::Message& remark : outcomes[i].remarks)
     {
       warn(remark.text());
     }
   }
-  return { resultOf(session, outcomes), backendUsedBy(outcomes) };
+  return { resultOf(model, outcomes), backendUsedBy(outcomes) };
 }
 
 } // namespace
@@ -139,7 +139,7 @@ void replay(const Options& options)
     if (digestOf(replayed[i].mesh) != models[i].record.digest)
     {
       const std::string what =
-        models.size() == 1 ? "the mesh" : "the mesh of '" + models[i].session.meshName + "'";
+        models.size() == 1 ? "the mesh" : "the mesh of '" + models[i].model.meshName + "'";
       warn(what + " is not bit for bit the one that was saved");
     }
   }

@@ -244,9 +244,9 @@ bool isVersion1(const Session& session, const std::vector<SystemRow>& rows)
            std::holds_alternative<Lines>(step.inputs.at(stroke1)) &&
            std::all_of(step.values.begin(), step.values.end(), isKnown);
   };
-  const SceneModels& scene = session.scene;
-  return session.mesh && session.pictures.empty() && scene.others.empty() && scene.shown && !scene.locked &&
-         scene.hidden.empty() && std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
+  return session.mesh && session.pictures.empty() && session.others.empty() && session.shown &&
+         !session.locked && session.hidden.empty() &&
+         std::all_of(session.nodes.begin(), session.nodes.end(), isStroke);
 }
 
 Json::Value jsonOf1(const Node& node, const std::vector<SystemRow>& rows, const EntryWriter& entries)

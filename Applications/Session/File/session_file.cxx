@@ -216,7 +216,7 @@ Package Encoder::encode(const SessionFile& file)
   };
   const bool isFirst = isVersion1(session, systems());
   // What every model has.
-  const auto jsonOfModel = [&](const Session& model, const Record& record)
+  const auto jsonOfModel = [&](const Model& model, const Record& record)
   {
     Json::Value json;
     if (model.mesh)
@@ -242,15 +242,15 @@ Package Encoder::encode(const SessionFile& file)
     json["made_by"]["device"] = record.origin.device;
     json["made_by"]["processor"] = record.origin.processor;
     json["result_md5"] = record.digest;
-    if (!model.scene.shown)
+    if (!model.shown)
     {
       json["shown"] = false;
     }
-    if (model.scene.locked)
+    if (model.locked)
     {
       json["locked"] = true;
     }
-    for (const PartSource& part : model.scene.hidden)
+    for (const PartSource& part : model.hidden)
     {
       json["hidden_parts"].append(jsonOf(part));
     }
@@ -263,14 +263,14 @@ Package Encoder::encode(const SessionFile& file)
   {
     json["pictures"].append(jsonOf(*picture, writer));
   }
-  const RestingModels& others = session.scene.others;
+  const RestingModels& others = session.others;
   for (std::size_t i = 0; i < others.size(); ++i)
   {
     json["models"].append(jsonOfModel(others[i]->own, i < file.others.size() ? file.others[i] : Record()));
   }
   if (!others.empty())
   {
-    json["place"] = static_cast<int>(session.scene.place);
+    json["place"] = static_cast<int>(session.place);
   }
   if (file.look)
   {
@@ -382,7 +382,7 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
   Session& session = file.session;
   EntryReader entries(package, path);
   // What every model has.
-  const auto modelOf = [&](const JsonReader& from, Session& model)
+  const auto modelOf = [&](const JsonReader& from, Model& model)
   {
     if (version == 1 || from.has("mesh"))
     {
@@ -392,13 +392,13 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
     model.meshName = from.text("mesh_name");
     model.backend = from.choice("backend", backendWords());
     model.nodes = nodesOf(from, version == 1, rows, entries);
-    model.scene.shown = version == 1 || !from.has("shown") || from.yes("shown");
-    model.scene.locked = version > 1 && from.has("locked") && from.yes("locked");
+    model.shown = version == 1 || !from.has("shown") || from.yes("shown");
+    model.locked = version > 1 && from.has("locked") && from.yes("locked");
     if (version > 1 && from.has("hidden_parts"))
     {
       for (const JsonReader& one : from.list("hidden_parts", "hidden part"))
       {
-        model.scene.hidden.insert(partSourceOf(one));
+        model.hidden.insert(partSourceOf(one));
       }
     }
     const JsonReader origin = from.object("made_by");
@@ -430,10 +430,10 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
     {
       auto other = std::make_shared<RestingModel>();
       file.others.push_back(modelOf(one, other->own));
-      other->own.scene.id = static_cast<int>(file.others.size()) + 1; // that of the first is 1
-      session.scene.others.push_back(std::move(other));
+      other->own.id = static_cast<int>(file.others.size()) + 1; // that of the first is 1
+      session.others.push_back(std::move(other));
     }
-    session.scene.place = static_cast<std::size_t>(json.integer("place", 0, static_cast<int>(models.size())));
+    session.place = static_cast<std::size_t>(json.integer("place", 0, static_cast<int>(models.size())));
   }
   if (json.has("look"))
   {

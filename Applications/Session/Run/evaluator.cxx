@@ -29,10 +29,10 @@ namespace
 using Ports = std::map<int, std::set<int>>;
 
 // The output ports that steps refer to, by the ids of those that they are of.
-Ports portsOf(const Session& session)
+Ports portsOf(const Model& model)
 {
   Ports ports;
-  for (const Node& node : session.nodes)
+  for (const Node& node : model.nodes)
   {
     for (const auto& named : node.step->inputs)
     {
@@ -74,7 +74,7 @@ bool isSameWork(const Step& a, const Step& b)
 
 struct Evaluator::Run
 {
-  const Session& session;
+  const Model& model;
   const Watch& watch;
   std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
   Ports ports;
@@ -163,7 +163,7 @@ std::string Evaluator::resolve(Run& run,
   Inputs& inputs,
   std::vector<std::uint64_t>& numbers)
 {
-  const auto& nodes = run.session.nodes;
+  const auto& nodes = run.model.nodes;
   for (const SystemInput& input : row.inputs)
   {
     const std::string what = "its input '" + input.name + "' ";
@@ -249,7 +249,7 @@ bool Evaluator::make(Run& run,
   const std::set<int>& ports,
   Outcome& outcome)
 {
-  const Step& step = *run.session.nodes[index].step;
+  const Step& step = *run.model.nodes[index].step;
   Runner& runner = *this->runner(step.system);
   if (run.watch.details && !this->finish(runner, run.watch.cancelled))
   {
@@ -265,7 +265,7 @@ bool Evaluator::make(Run& run,
   runner.turnTo(inputs);
   ++this->Runs;
   runner.last = 0;
-  if (!runner.steps->run(step, inputs, run.session.backend, ports, listener, outcome))
+  if (!runner.steps->run(step, inputs, run.model.backend, ports, listener, outcome))
   {
     return false;
   }
@@ -286,11 +286,11 @@ bool Evaluator::makePart(Run& run,
   const std::set<int>& ports,
   Outcome& outcome)
 {
-  const Node& node = run.session.nodes[index];
+  const Node& node = run.model.nodes[index];
   const vtkSmartPointer<vtkPolyData> came = outcome.mesh;
   const auto kept = this->Parts.find(node.id);
   const auto has = [&](int port) { return kept->second.outcome.outputs.count(port) > 0; };
-  if (kept != this->Parts.end() && kept->second.backend == run.session.backend &&
+  if (kept != this->Parts.end() && kept->second.backend == run.model.backend &&
       isSameWork(kept->second.step, *node.step) && std::all_of(ports.begin(), ports.end(), has))
   {
     outcome = kept->second.outcome;
@@ -301,7 +301,7 @@ bool Evaluator::makePart(Run& run,
     {
       return false;
     }
-    this->Parts[node.id] = { *node.step, run.session.backend, outcome };
+    this->Parts[node.id] = { *node.step, run.model.backend, outcome };
   }
   const vtkSmartPointer<vtkPolyData> made = outcome.failure.empty() ? outcome.mesh : nullptr;
   outcome.mesh = came || !made ? came : made;
@@ -321,7 +321,7 @@ bool Evaluator::makePart(Run& run,
 
 bool Evaluator::runNode(Run& run, std::size_t index)
 {
-  const std::shared_ptr<const Step>& step = run.session.nodes[index].step;
+  const std::shared_ptr<const Step>& step = run.model.nodes[index].step;
   Outcome& outcome = run.outcomes[index];
   Inputs inputs;
   std::vector<std::uint64_t> numbers;
@@ -338,10 +338,10 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   {
     numbers.push_back(run.mesh);
   }
-  const std::uint64_t number = this->numberOf({ step, numbers, run.session.backend });
+  const std::uint64_t number = this->numberOf({ step, numbers, run.model.backend });
   Kept& kept = this->Outcomes.at(number);
   std::set<int> ports; // that it has and others refer to
-  for (const int port : run.ports[run.session.nodes[index].id])
+  for (const int port : run.ports[run.model.nodes[index].id])
   {
     if (port > 0 && port < this->system(step->system)->GetNumberOfOutputPorts())
     {
@@ -373,31 +373,31 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   return true;
 }
 
-bool Evaluator::run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes)
+bool Evaluator::run(const Model& model, const Watch& watch, std::vector<Outcome>& outcomes)
 {
   outcomes.clear();
   this->forget();
   ++this->RunCount;
-  Run run{ session, watch, outcomes, portsOf(session) };
-  const auto isThere = [&session](const auto& isIt)
-  { return std::any_of(session.nodes.begin(), session.nodes.end(), isIt); };
+  Run run{ model, watch, outcomes, portsOf(model) };
+  const auto isThere = [&model](const auto& isIt)
+  { return std::any_of(model.nodes.begin(), model.nodes.end(), isIt); };
   for (auto it = this->Parts.begin(); it != this->Parts.end();)
   {
     const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
     it = isThere(isIt) ? std::next(it) : this->Parts.erase(it);
   }
-  run.mesh = session.mesh ? this->numberOf({ session.mesh.identity(), {}, 0 }) : 0;
-  vtkSmartPointer<vtkPolyData> mesh = session.mesh.own();
-  for (std::size_t i = 0; i < session.nodes.size(); ++i)
+  run.mesh = model.mesh ? this->numberOf({ model.mesh.identity(), {}, 0 }) : 0;
+  vtkSmartPointer<vtkPolyData> mesh = model.mesh.own();
+  for (std::size_t i = 0; i < model.nodes.size(); ++i)
   {
     outcomes.emplace_back();
     outcomes[i].mesh = mesh;
-    if (session.nodes[i].on && !this->runNode(run, i))
+    if (model.nodes[i].on && !this->runNode(run, i))
     {
       outcomes.pop_back();
       return false;
     }
-    outcomes[i].elsewhere = isElsewhere(session.nodes[i], outcomes[i]);
+    outcomes[i].elsewhere = isElsewhere(model.nodes[i], outcomes[i]);
     mesh = outcomes[i].mesh;
   }
   this->giveUp();
@@ -463,9 +463,9 @@ void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, co
   runner.ahead->prepare(mesh, backend, listener);
 }
 
-vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes)
+vtkPolyData* resultOf(const Model& model, const std::vector<Outcome>& outcomes)
 {
-  return outcomes.empty() ? session.mesh.Get() : outcomes.back().mesh.Get();
+  return outcomes.empty() ? model.mesh.Get() : outcomes.back().mesh.Get();
 }
 
 int backendUsedBy(const std::vector<Outcome>& outcomes)

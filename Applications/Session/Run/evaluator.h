@@ -1,4 +1,4 @@
-// Runs a session: the mesh goes through the steps that are on, one after the other.
+// Runs a model: the mesh goes through the steps that are on, one after the other.
 #ifndef oversketch_applications_session_run_evaluator_h
 #define oversketch_applications_session_run_evaluator_h
 
@@ -26,7 +26,7 @@ class Evaluator
 {
 public:
   // Keeps outcomes of steps that someone still holds (a session, a history), up to a sum of about that many
-  // bytes, the least recently used go first; those of the session being run stay in any case. Steps name
+  // bytes, the least recently used go first; those of the model being run stay in any case. Steps name
   // systems of that list, which must outlive it.
   explicit Evaluator(std::size_t bytes = std::size_t(2) << 30,
     const std::vector<SystemRow>& rows = systems());
@@ -45,13 +45,13 @@ public:
   };
 
   // One outcome a node. A node that fails is passed by, with its reason; the rest goes on. What was run
-  // before for the same steps in the same order on the same mesh is not run again. The same session gives the
+  // before for the same steps in the same order on the same mesh is not run again. The same model gives the
   // same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes before.
-  bool run(const Session& session, const Watch& watch, std::vector<Outcome>& outcomes);
+  bool run(const Model& model, const Watch& watch, std::vector<Outcome>& outcomes);
 
   // What comes after the meshes: fills in the details of those outcomes of the last run that acted. Where the
   // run was not watched for them, only of the last that each system ran. Returns false when it was cancelled:
-  // some are missing, and come with the next call for this session.
+  // some are missing, and come with the next call for this model.
   bool details(std::vector<Outcome>& outcomes, const Watch& watch);
 
   // Gives back the work of the last steps, which their outcomes and another mesh do not need. To be called
@@ -141,8 +141,8 @@ private:
   std::size_t Runs = 0;
 };
 
-// The mesh that a session shows: what its last node made. Null where there is none yet.
-vtkPolyData* resultOf(const Session& session, const std::vector<Outcome>& outcomes);
+// The mesh that a model shows: what its last node made. Null where there is none yet.
+vtkPolyData* resultOf(const Model& model, const std::vector<Outcome>& outcomes);
 
 // Where it was made: OpenCL where any step ran there, else Host (vtkOversketchSystem::BackendType).
 int backendUsedBy(const std::vector<Outcome>& outcomes);

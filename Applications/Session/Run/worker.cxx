@@ -55,40 +55,40 @@ vtkSmartPointer<vtkPolyData> shared(vtkPolyData* mesh)
   return own;
 }
 
-// True where `next` is `session` with steps added at its end.
-bool continues(const Session& session, const Session& next)
+// True where `next` is `model` with steps added at its end.
+bool continues(const Model& model, const Model& next)
 {
-  return session.mesh.identity() == next.mesh.identity() && session.backend == next.backend &&
-         session.nodes.size() <= next.nodes.size() &&
-         std::equal(session.nodes.begin(),
-           session.nodes.end(),
+  return model.mesh.identity() == next.mesh.identity() && model.backend == next.backend &&
+         model.nodes.size() <= next.nodes.size() &&
+         std::equal(model.nodes.begin(),
+           model.nodes.end(),
            next.nodes.begin(),
            [](const Node& a, const Node& b) { return a.id == b.id && a.step == b.step && a.on == b.on; });
 }
 
 // The system that the next step is most likely of; null where there is none.
-const SystemRow* nextOf(const Session& session)
+const SystemRow* nextOf(const Model& model)
 {
-  if (session.nodes.empty())
+  if (model.nodes.empty())
   {
     return systems().empty() ? nullptr : &systems().front();
   }
-  return findSystem(session.nodes.back().step->system);
+  return findSystem(model.nodes.back().step->system);
 }
 
 // What a step takes of other steps, as copies.
-std::map<std::string, SharedData> givenTo(const Session& session,
+std::map<std::string, SharedData> givenTo(const Model& model,
   const std::vector<Outcome>& outcomes,
   std::size_t at)
 {
   std::map<std::string, SharedData> given;
-  for (const auto& [name, input] : session.nodes[at].step->inputs)
+  for (const auto& [name, input] : model.nodes[at].step->inputs)
   {
     const auto* of = std::get_if<StepOutput>(&input);
     for (std::size_t i = 0; of && i < at; ++i)
     {
       const auto output = outcomes[i].outputs.find(of->port);
-      if (session.nodes[i].id == of->step && output != outcomes[i].outputs.end())
+      if (model.nodes[i].id == of->step && output != outcomes[i].outputs.end())
       {
         given[name] = copied(vtkPolyData::SafeDownCast(output->second));
       }
@@ -116,18 +116,18 @@ Worker::~Worker()
   this->Thread.join();
 }
 
-std::uint64_t Worker::submit(Session session)
+std::uint64_t Worker::submit(Model model)
 {
   std::uint64_t replaced = 0, ticket = 0;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     replaced = this->Next ? this->Ticket : 0;
     ticket = ++this->Ticket;
-    if (this->Wanted == 0 || !this->Running || !continues(*this->Running, session))
+    if (this->Wanted == 0 || !this->Running || !continues(*this->Running, model))
     {
       this->Wanted = ticket;
     }
-    this->Next = std::move(session);
+    this->Next = std::move(model);
     this->Glance.reset();
     this->Waiting = true;
   }
@@ -166,7 +166,7 @@ void Worker::cancel()
   }
 }
 
-void Worker::glance(Session session)
+void Worker::glance(Model model)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -174,7 +174,7 @@ void Worker::glance(Session session)
     {
       return;
     }
-    this->Glance = std::move(session);
+    this->Glance = std::move(model);
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -184,7 +184,7 @@ void Worker::work()
 {
   for (;;)
   {
-    std::optional<Session> session;
+    std::optional<Model> model;
     std::uint64_t ticket = 0;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
@@ -193,22 +193,22 @@ void Worker::work()
       {
         return;
       }
-      session = std::exchange(this->Next, std::nullopt);
-      if (session)
+      model = std::exchange(this->Next, std::nullopt);
+      if (model)
       {
-        this->Running = session;
+        this->Running = model;
         this->Waiting = false;
       }
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    session ? this->runOne(ticket, *session) : this->runGlance(ticket);
+    model ? this->runOne(ticket, *model) : this->runGlance(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
 }
 
-std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const std::vector<Outcome>& outcomes)
+std::vector<Worker::NodeState> Worker::statesOf(const Model& model, const std::vector<Outcome>& outcomes)
 {
   std::map<std::uint64_t, NodeState> copies;
   std::vector<NodeState> states;
@@ -221,8 +221,8 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
     if (!isKnown)
     {
       state.before =
-        i == 0 ? session.mesh : SharedData(outcomes[i - 1].mesh ? shared(outcomes[i - 1].mesh) : nullptr);
-      state.given = givenTo(session, outcomes, i);
+        i == 0 ? model.mesh : SharedData(outcomes[i - 1].mesh ? shared(outcomes[i - 1].mesh) : nullptr);
+      state.given = givenTo(model, outcomes, i);
     }
     if (outcome.hold && !state.hold)
     {
@@ -259,22 +259,22 @@ std::vector<Worker::NodeState> Worker::statesOf(const Session& session, const st
 
 void Worker::runGlance(std::uint64_t ticket)
 {
-  std::optional<Session> session;
+  std::optional<Model> model;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    session = std::exchange(this->Glance, std::nullopt);
+    model = std::exchange(this->Glance, std::nullopt);
     this->Waiting = this->Next.has_value();
   }
-  if (!session)
+  if (!model)
   {
     return;
   }
   Evaluator::Watch watch;
   watch.cancelled = [&] { return this->Wanted != ticket; };
   std::vector<Outcome> outcomes;
-  if (this->Report.glanced && this->Runner.run(*session, watch, outcomes) && !watch.cancelled())
+  if (this->Report.glanced && this->Runner.run(*model, watch, outcomes) && !watch.cancelled())
   {
-    vtkPolyData* made = resultOf(*session, outcomes);
+    vtkPolyData* made = resultOf(*model, outcomes);
     SharedData display;
     if (made)
     {
@@ -297,7 +297,7 @@ void Worker::show(vtkPolyData* mesh, Result& result)
   result.display = shared(this->Display);
 }
 
-void Worker::runOne(std::uint64_t ticket, const Session& session)
+void Worker::runOne(std::uint64_t ticket, const Model& model)
 {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -312,7 +312,7 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     }
   };
   std::vector<Outcome> outcomes;
-  if (!this->Runner.run(session, watch, outcomes) || watch.cancelled())
+  if (!this->Runner.run(model, watch, outcomes) || watch.cancelled())
   {
     if (this->Report.cancelled)
     {
@@ -320,15 +320,15 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     }
     return;
   }
-  vtkPolyData* shown = resultOf(session, outcomes);
+  vtkPolyData* shown = resultOf(model, outcomes);
   Result result;
   result.ticket = ticket;
-  result.nodes = this->statesOf(session, outcomes);
+  result.nodes = this->statesOf(model, outcomes);
   result.backendUsed = backendUsedBy(outcomes);
   if (shown)
   {
     this->show(shown, result);
-    result.parts = sourcesOf(session, outcomes);
+    result.parts = sourcesOf(model, outcomes);
   }
   else
   {
@@ -358,11 +358,11 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
   if (this->Report.detailed)
   {
     this->Report.detailed(
-      { ticket, this->statesOf(session, outcomes), shown ? digestOf(shown) : std::string() });
+      { ticket, this->statesOf(model, outcomes), shown ? digestOf(shown) : std::string() });
   }
   // The rest, between what is asked for aside.
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
-  const SystemRow* next = shown ? nextOf(session) : nullptr;
+  const SystemRow* next = shown ? nextOf(model) : nullptr;
   bool isTraced = false;
   for (bool goesOn = true; goesOn; goesOn = watch.cancelled())
   {
@@ -377,22 +377,22 @@ void Worker::runOne(std::uint64_t ticket, const Session& session)
     this->runGlance(ticket);
     if (next)
     {
-      this->Runner.prepare(*next, shown, session.backend, watch);
+      this->Runner.prepare(*next, shown, model.backend, watch);
       next = watch.cancelled() ? next : nullptr;
     }
     if (shown && !watch.cancelled())
     {
       if (!std::exchange(isTraced, true))
       {
-        this->trace(ticket, session, outcomes, shown);
+        this->trace(ticket, model, outcomes, shown);
       }
-      this->picture(ticket, session, outcomes, watch.cancelled);
+      this->picture(ticket, model, outcomes, watch.cancelled);
     }
   }
 }
 
 void Worker::trace(std::uint64_t ticket,
-  const Session& session,
+  const Model& model,
   const std::vector<Outcome>& outcomes,
   vtkPolyData* shown)
 {
@@ -409,7 +409,7 @@ void Worker::trace(std::uint64_t ticket,
   std::vector<SharedData> lines;
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
-    const auto stroke = isSeen(outcomes[i]) ? strokeOf(session, *session.nodes[i].step) : nullptr;
+    const auto stroke = isSeen(outcomes[i]) ? strokeOf(model, *model.nodes[i].step) : nullptr;
     lines.emplace_back(
       stroke ? strokeOn(locator, stroke, outcomes[i].hold, traceReach * shown->GetLength()) : nullptr);
   }
@@ -463,7 +463,7 @@ vtkSmartPointer<vtkPolyData> strokeOfPart(vtkPolyData* stroke, const Step& step)
 } // namespace
 
 void Worker::picture(std::uint64_t ticket,
-  const Session& session,
+  const Model& model,
   const std::vector<Outcome>& outcomes,
   const std::function<bool()>& cancelled)
 {
@@ -476,7 +476,7 @@ void Worker::picture(std::uint64_t ticket,
     }
     const auto made = thumbnailOf(outcome.mesh,
       outcome.details ? outcome.details->region.Get() : nullptr,
-      strokeOfPart(strokeOf(session, *session.nodes[i].step), *session.nodes[i].step),
+      strokeOfPart(strokeOf(model, *model.nodes[i].step), *model.nodes[i].step),
       cancelled);
     if (!made)
     {

@@ -1,4 +1,4 @@
-// Runs sessions on a thread of its own, so that an interface never waits: the newest session wins.
+// Runs models on a thread of its own, so that an interface never waits: the newest wins.
 #ifndef oversketch_applications_session_run_worker_h
 #define oversketch_applications_session_run_worker_h
 
@@ -42,12 +42,12 @@ public:
     // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
     std::shared_ptr<const Thumbnail> picture;
   };
-  // What a session made. The worker goes on with the meshes' points and cells, and changes none.
+  // What a model made. The worker goes on with the meshes' points and cells, and changes none.
   struct Result
   {
     std::uint64_t ticket = 0;
     std::vector<NodeState> nodes;
-    SharedData mesh;      // that the session shows; null where it has made none yet
+    SharedData mesh;      // that the model shows; null where it has made none yet
     SharedData display;   // the same with point normals, computed where it has none
     PartSources parts;    // of it
     int backendUsed = 0;  // vtkOversketchSystem::BackendType
@@ -60,7 +60,7 @@ public:
     std::vector<NodeState> nodes; // those of the result, whole
     std::string digest;           // digestOf(mesh); empty where there is no mesh
   };
-  // Called on the worker's thread. Each session is answered once: done, or cancelled where a newer one
+  // Called on the worker's thread. Each model is answered once: done, or cancelled where a newer one
   // replaced it or it was cancelled. Details follow on done once it has been seen, or after a while, unless
   // something newer is to be run first.
   struct Listener
@@ -70,9 +70,9 @@ public:
     std::function<void(std::uint64_t ticket)> cancelled;
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;
-    // The mesh of a session that was only looked at, as Result::display; null where it makes none.
+    // The mesh of a model that was only looked at, as Result::display; null where it makes none.
     std::function<void(SharedData)> glanced;
-    // While nothing else is to be run, after all that: each step's stroke on the mesh that the session shows
+    // While nothing else is to be run, after all that: each step's stroke on the mesh that the model shows
     // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
     std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
     std::function<void(std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail>)> pictured;
@@ -85,34 +85,34 @@ public:
   Worker& operator=(const Worker&) = delete;
 
   // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
-  // The session's data must not be changed afterwards. Returns the ticket, one more than the last.
-  std::uint64_t submit(Session session);
+  // The model's data must not be changed afterwards. Returns the ticket, one more than the last.
+  std::uint64_t submit(Model model);
   // The result of a ticket is on screen: what comes after it may take the processors.
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
   // Of more triangles than these a step's work is not kept for a stroke over the same place, which then makes
-  // it anew: it takes some 400 bytes each. For the next session; 500,000 by default.
+  // it anew: it takes some 400 bytes each. For the next model; 500,000 by default.
   void keepWorkUpTo(vtkIdType triangles) { this->MostKept = triangles; }
-  // Makes the mesh of another session, once nothing else is to be done, and nothing more: of the steps of the
-  // last one it is there. The newest such session wins, and a session that is submitted before it.
-  void glance(Session session);
+  // Makes the mesh of another model, once nothing else is to be done, and nothing more: of the steps of the
+  // last one it is there. The newest such asking wins, and what is submitted before it.
+  void glance(Model model);
 
 private:
   void work();
-  void runOne(std::uint64_t ticket, const Session& session);
+  void runOne(std::uint64_t ticket, const Model& model);
   void runGlance(std::uint64_t ticket);
   // Fills in both meshes.
   void show(vtkPolyData* mesh, Result& result);
-  // What the outcomes are, as copies; of those that were copied for the last session the same ones.
-  std::vector<NodeState> statesOf(const Session& session, const std::vector<Outcome>& outcomes);
+  // What the outcomes are, as copies; of those that were copied for the last model the same ones.
+  std::vector<NodeState> statesOf(const Model& model, const std::vector<Outcome>& outcomes);
   // What is shown of the steps beside the mesh, until something else is to be done.
   void trace(std::uint64_t ticket,
-    const Session& session,
+    const Model& model,
     const std::vector<Outcome>& outcomes,
     vtkPolyData* shown);
   void picture(std::uint64_t ticket,
-    const Session& session,
+    const Model& model,
     const std::vector<Outcome>& outcomes,
     const std::function<bool()>& cancelled);
 
@@ -124,11 +124,11 @@ private:
   vtkSmartPointer<vtkPolyData> Shown, Display; // the last mesh, and the same with normals
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Session> Next, Running, Glance;
-  std::uint64_t Ticket = 0;                  // of the newest session
+  std::optional<Model> Next, Running, Glance;
+  std::uint64_t Ticket = 0;                  // of the newest model
   std::uint64_t Seen = 0;                    // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 };    // the ticket that may run; all others are to stop
-  std::atomic<bool> Waiting{ false };        // a session does, so nothing is to be prepared
+  std::atomic<bool> Waiting{ false };        // a model does, so nothing is to be prepared
   std::atomic<vtkIdType> MostKept{ 500000 }; // triangles
   bool Stop = false;
   std::thread Thread;

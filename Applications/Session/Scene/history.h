@@ -101,15 +101,11 @@ private:
     {
       ++last;
     }
-    const auto part = [&](const Session& of)
+    const auto part = [&](Session of)
     {
-      return Session{ of.meshName,
-        of.mesh,
-        { of.nodes.begin() + static_cast<std::ptrdiff_t>(first),
-          of.nodes.end() - static_cast<std::ptrdiff_t>(last) },
-        of.backend,
-        of.pictures,
-        of.scene };
+      of.nodes = { of.nodes.begin() + static_cast<std::ptrdiff_t>(first),
+        of.nodes.end() - static_cast<std::ptrdiff_t>(last) };
+      return of;
     };
     return { first, part(before), part(after) };
   }
@@ -119,11 +115,9 @@ private:
     const auto at = to.nodes.begin() + static_cast<std::ptrdiff_t>(first);
     const auto place = to.nodes.erase(at, at + static_cast<std::ptrdiff_t>(gone.nodes.size()));
     to.nodes.insert(place, come.nodes.begin(), come.nodes.end());
-    to.meshName = come.meshName;
-    to.mesh = come.mesh;
-    to.backend = come.backend;
-    to.pictures = come.pictures;
-    to.scene = come.scene;
+    std::vector<Node> nodes = std::move(to.nodes);
+    to = come;
+    to.nodes = std::move(nodes);
     return to;
   }
 

@@ -22,33 +22,30 @@ namespace oversketch_session
 namespace
 {
 
-std::shared_ptr<const RestingModel> resting(Session own, MadeModel made)
+std::shared_ptr<const RestingModel> resting(Model own, MadeModel made)
 {
-  own.pictures.clear();
-  own.scene.place = 0;
-  own.scene.others.clear();
   auto model = std::make_shared<RestingModel>();
   model->own = std::move(own);
   model->made = std::move(made);
   return model;
 }
 
-MadeModel madeOf(const Session& session)
+MadeModel madeOf(const Model& model)
 {
   Evaluator evaluator;
   Evaluator::Watch watch;
   watch.cancelled = [] { return false; };
   std::vector<Outcome> outcomes;
-  evaluator.run(session, watch, outcomes);
+  evaluator.run(model, watch, outcomes);
   MadeModel made;
   made.backendUsed = backendUsedBy(outcomes);
-  if (vtkPolyData* mesh = resultOf(session, outcomes))
+  if (vtkPolyData* mesh = resultOf(model, outcomes))
   {
     vtkNew<vtkPolyData> copy; // the evaluator's own goes with it
     copy->DeepCopy(mesh);
     made.mesh = SharedData(vtkSmartPointer<vtkPolyData>(copy));
     made.display = oversketch_files::withPointNormals(made.mesh);
-    made.parts = sourcesOf(session, outcomes);
+    made.parts = sourcesOf(model, outcomes);
     made.digest = digestOf(made.mesh);
   }
   return made;
@@ -56,10 +53,10 @@ MadeModel madeOf(const Session& session)
 
 int freshModel(const Session& session)
 {
-  int last = session.scene.id;
-  for (const auto& other : session.scene.others)
+  int last = session.id;
+  for (const auto& other : session.others)
   {
-    last = std::max(last, other->own.scene.id);
+    last = std::max(last, other->own.id);
   }
   return last + 1;
 }
@@ -67,22 +64,22 @@ int freshModel(const Session& session)
 // Among the others.
 std::size_t otherOf(const Session& session, std::size_t place)
 {
-  return place < session.scene.place ? place : place - 1;
+  return place < session.place ? place : place - 1;
 }
 
 } // namespace
 
 std::size_t modelCount(const Session& session)
 {
-  return session.scene.others.size() + 1;
+  return session.others.size() + 1;
 }
 
 const RestingModel* restingAt(const Session& session, std::size_t place)
 {
-  return place == session.scene.place ? nullptr : session.scene.others.at(otherOf(session, place)).get();
+  return place == session.place ? nullptr : session.others.at(otherOf(session, place)).get();
 }
 
-const Session& modelAt(const Session& session, std::size_t place)
+const Model& modelAt(const Session& session, std::size_t place)
 {
   const RestingModel* other = restingAt(session, place);
   return other ? other->own : session;
@@ -90,7 +87,7 @@ const Session& modelAt(const Session& session, std::size_t place)
 
 void makeResting(Session& session)
 {
-  for (auto& other : session.scene.others)
+  for (auto& other : session.others)
   {
     if (!other->made.mesh)
     {
@@ -104,7 +101,7 @@ RestingModels modelsOf(const Session& session)
   RestingModels models;
   for (std::size_t place = 0; place < modelCount(session); ++place)
   {
-    const Session& own = modelAt(session, place);
+    const Model& own = modelAt(session, place);
     const RestingModel* other = restingAt(session, place);
     models.push_back(resting(own, other && other->made.mesh ? other->made : madeOf(own)));
   }
@@ -118,14 +115,10 @@ Session withChosen(const Session& session, std::size_t place, const MadeModel& m
   {
     return session;
   }
-  Session next = chosen->own;
-  next.pictures = session.pictures;
-  RestingModels all = session.scene.others;
-  all.insert(all.begin() + static_cast<std::ptrdiff_t>(session.scene.place), resting(session, made));
+  RestingModels all = session.others;
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(session.place), resting(session, made));
   all.erase(all.begin() + static_cast<std::ptrdiff_t>(place));
-  next.scene.others = std::move(all);
-  next.scene.place = place;
-  return next;
+  return { chosen->own, session.pictures, place, std::move(all) };
 }
 
 Session withModels(const Session& session, const RestingModels& models)
@@ -134,8 +127,8 @@ Session withModels(const Session& session, const RestingModels& models)
   for (const auto& model : models)
   {
     auto more = std::make_shared<RestingModel>(*model);
-    more->own.scene.id = freshModel(next);
-    next.scene.others.push_back(std::move(more));
+    more->own.id = freshModel(next);
+    next.others.push_back(std::move(more));
   }
   return next;
 }
@@ -143,8 +136,8 @@ Session withModels(const Session& session, const RestingModels& models)
 Session withoutModel(const Session& session, std::size_t place)
 {
   Session next = session;
-  next.scene.others.erase(next.scene.others.begin() + static_cast<std::ptrdiff_t>(otherOf(session, place)));
-  next.scene.place -= place < session.scene.place ? 1 : 0;
+  next.others.erase(next.others.begin() + static_cast<std::ptrdiff_t>(otherOf(session, place)));
+  next.place -= place < session.place ? 1 : 0;
   return next;
 }
 
@@ -154,14 +147,14 @@ Session withModelSeen(const Session& session, std::size_t place, bool shown, boo
   if (const RestingModel* other = restingAt(session, place))
   {
     auto changed = std::make_shared<RestingModel>(*other);
-    changed->own.scene.shown = shown;
-    changed->own.scene.locked = locked;
-    next.scene.others[otherOf(session, place)] = std::move(changed);
+    changed->own.shown = shown;
+    changed->own.locked = locked;
+    next.others[otherOf(session, place)] = std::move(changed);
   }
   else
   {
-    next.scene.shown = shown;
-    next.scene.locked = locked;
+    next.shown = shown;
+    next.locked = locked;
   }
   return next;
 }
@@ -169,7 +162,7 @@ Session withModelSeen(const Session& session, std::size_t place, bool shown, boo
 Session withPartSeen(const Session& session, const PartSource& part, bool shown)
 {
   Session next = session;
-  shown ? void(next.scene.hidden.erase(part)) : void(next.scene.hidden.insert(part));
+  shown ? void(next.hidden.erase(part)) : void(next.hidden.insert(part));
   return next;
 }
 

@@ -23,7 +23,7 @@ struct MadeModel
 
 struct RestingModel
 {
-  Session own; // without pictures, and others beside it
+  Model own;
   MadeModel made;
 };
 using RestingModels = std::vector<std::shared_ptr<const RestingModel>>;
@@ -32,7 +32,7 @@ constexpr std::size_t mostModels = 1000; // in a scene
 
 std::size_t modelCount(const Session& session);
 // A model by its place in the list of all.
-const Session& modelAt(const Session& session, std::size_t place);
+const Model& modelAt(const Session& session, std::size_t place);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 

@@ -106,12 +106,12 @@ vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, cons
   return assemble->GetOutput();
 }
 
-PartSources sourcesOf(const Session& session, const std::vector<Outcome>& outcomes)
+PartSources sourcesOf(const Model& model, const std::vector<Outcome>& outcomes)
 {
-  PartSources parts = session.mesh ? byNumbers(session.mesh) : PartSources();
+  PartSources parts = model.mesh ? byNumbers(model.mesh) : PartSources();
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
-    const Node& node = session.nodes[i];
+    const Node& node = model.nodes[i];
     const SystemRow* row = outcomes[i].number != 0 ? findSystem(node.step->system) : nullptr;
     const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Mesh) : nullptr;
     if (row && !input) // it takes no mesh
@@ -132,12 +132,12 @@ PartSource sourceOf(const PartSources& parts, int number)
   return known == parts.end() ? PartSource{ 0, number } : known->second;
 }
 
-std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts)
+std::set<int> hiddenOf(const Model& model, const PartSources& parts)
 {
   std::set<int> hidden;
   for (const auto& [number, source] : parts)
   {
-    if (parts.size() > 1 && scene.hidden.count(source) > 0)
+    if (parts.size() > 1 && model.hidden.count(source) > 0)
     {
       hidden.insert(number);
     }

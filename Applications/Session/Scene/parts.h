@@ -29,14 +29,14 @@ vtkSmartPointer<vtkPolyData> placedBy(const Eigen::Matrix4d& matrix, vtkPolyData
 // it cannot be put there.
 vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, const PartPlace& place);
 
-// What made the parts of the mesh that a session shows, by their numbers (cell array PartId; a mesh without
+// What made the parts of the mesh that a model shows, by their numbers (cell array PartId; a mesh without
 // that is one part, 0). Of outcomes of its nodes, or the first of them.
 using PartSources = std::map<int, PartSource>;
-PartSources sourcesOf(const Session& session, const std::vector<Outcome>& outcomes);
+PartSources sourcesOf(const Model& model, const std::vector<Outcome>& outcomes);
 // Which part that is: one of which nothing is known by its number alone.
 PartSource sourceOf(const PartSources& parts, int number);
 // The numbers of those that are hidden. None of a mesh that is one part: the model itself is seen or hidden.
-std::set<int> hiddenOf(const SceneModels& scene, const PartSources& parts);
+std::set<int> hiddenOf(const Model& model, const PartSources& parts);
 
 // What is wrong with a place, in words; empty where nothing is.
 std::string faultOf(const PartPlace& place);

@@ -1,4 +1,5 @@
-// What a person made: the mesh they opened, if any, and the steps that they took on it, in order. Values: a
+// What a person made: models, each the mesh that was opened, if any, and the steps that were taken on it, in
+// order, and pictures. Values: a
 // change is a new Session that shares all that did not change.
 #ifndef oversketch_applications_session_scene_session_h
 #define oversketch_applications_session_scene_session_h
@@ -72,36 +73,35 @@ struct PartSource
   }
 };
 
-// A model of the scene while another one is worked on, see models.h.
-struct RestingModel;
-
-// The models of the scene: the one that is worked on and those beside it, no step of which sees another.
-struct SceneModels
-{
-  // Of the model that is worked on.
-  int id = 1; // from 1, unique in the scene; not in the file
-  bool shown = true, locked = false;
-  std::set<PartSource> hidden; // parts of it; one that is not there is hidden once it is
-  std::size_t place = 0;       // in the list of all models
-  // The others, in the order of that list.
-  std::vector<std::shared_ptr<const RestingModel>> others;
-};
-
-struct Session
+// A model: the mesh that it began with and the steps on it, and how it is seen, which no step depends on.
+struct Model
 {
   std::string meshName; // of the file that was opened, without its folder
   SharedData mesh;      // null where the first step makes one
   std::vector<Node> nodes;
-  int backend = 0;   // vtkOversketchSystem::BackendType
-  Pictures pictures; // no step depends on them
-  SceneModels scene; // nor on this
+  int backend = 0; // vtkOversketchSystem::BackendType
+  int id = 1;      // from 1, unique in the scene; not in the file
+  bool shown = true, locked = false;
+  std::set<PartSource> hidden; // parts of it; those that do not exist yet are hidden when they appear
 };
 
-// The next id: greater than all that the session names, so that nothing refers to a new step by chance.
-inline int freshId(const Session& session)
+// A model of the scene while another one is worked on, see models.h.
+struct RestingModel;
+
+// The model that is worked on, and the scene round it, which no step sees.
+struct Session : Model
+{
+  Pictures pictures;
+  std::size_t place = 0; // of the model in the list of all
+  // The others, in the order of that list.
+  std::vector<std::shared_ptr<const RestingModel>> others;
+};
+
+// The next id: greater than all that the model names, so that nothing refers to a new step by chance.
+inline int freshId(const Model& model)
 {
   int last = 0;
-  for (const Node& node : session.nodes)
+  for (const Node& node : model.nodes)
   {
     last = std::max(last, node.id);
     for (const auto& named : node.step->inputs)
@@ -110,7 +110,7 @@ inline int freshId(const Session& session)
       last = std::max(last, output ? output->step : 0);
     }
   }
-  for (const PartSource& part : session.scene.hidden)
+  for (const PartSource& part : model.hidden)
   {
     last = std::max(last, part.step);
   }

@@ -74,13 +74,13 @@ void smooth(std::vector<double>& depths)
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step)
+vtkSmartPointer<vtkPolyData> strokeOf(const Model& model, const Step& step)
 {
   const SystemRow* row = findSystem(step.system);
   const SystemInput* input = row ? findInput(*row, SystemInput::Kind::Stroke) : nullptr;
   const auto given = input ? step.inputs.find(input->name) : step.inputs.end();
   const auto* of = given == step.inputs.end() ? nullptr : std::get_if<StepOutput>(&given->second);
-  for (const Node& node : session.nodes)
+  for (const Node& node : model.nodes)
   {
     if (!of || node.step.get() == &step) // it takes of those before it
     {
@@ -88,7 +88,7 @@ vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step)
     }
     if (node.id == of->step)
     {
-      return strokeOf(session, *node.step);
+      return strokeOf(model, *node.step);
     }
   }
   return input ? linesOf(step, input->name) : nullptr;

@@ -14,7 +14,7 @@ namespace oversketch_session
 
 // The first stroke that a step was given, with its view, by itself or by the step that it takes it of; null
 // where it has none.
-vtkSmartPointer<vtkPolyData> strokeOf(const Session& session, const Step& step);
+vtkSmartPointer<vtkPolyData> strokeOf(const Model& model, const Step& step);
 
 // The stroke [px, with its view] laid on the nearest places of a surface, at the depth of what it took hold
 // of (a polyline in the world). Polylines in the world, in pieces where the surface is farther away than

@@ -23,11 +23,11 @@ std::vector<Node> moved(std::vector<Node> nodes, std::size_t from, std::size_t t
   return nodes;
 }
 
-OrderFault faultOfMove(const Session& session, std::size_t from, std::size_t to)
+OrderFault faultOfMove(const Model& model, std::size_t from, std::size_t to)
 {
-  const std::vector<Node>& before = session.nodes;
+  const std::vector<Node>& before = model.nodes;
   const std::vector<Node> after = moved(before, from, to);
-  if (!session.mesh && !before.empty() && after.front().id != before.front().id)
+  if (!model.mesh && !before.empty() && after.front().id != before.front().id)
   {
     return { placeOf(before, after.front().id), 0 };
   }
@@ -39,7 +39,7 @@ OrderFault faultOfMove(const Session& session, std::size_t from, std::size_t to)
       const int needed = output ? placeOf(after, output->step) : -1;
       const int was = output ? placeOf(before, output->step) : -1;
       const int step = placeOf(before, after[i].id);
-      // Of a session that was read so, what was wrong before is not this move's.
+      // Of a model that was read so, what was wrong before is not this move's.
       if (needed >= static_cast<int>(i) && was < step)
       {
         return { step, was };

@@ -1,4 +1,4 @@
-// Which order the steps of a session can have: one that takes what another makes comes after it.
+// Which order the steps of a model can have: one that takes what another makes comes after it.
 #ifndef oversketch_applications_session_scene_step_order_h
 #define oversketch_applications_session_scene_step_order_h
 
@@ -11,7 +11,7 @@ namespace oversketch_session
 {
 
 // A step that would stand before one that it needs, by their places in the list; both -1 where there is none.
-// What it needs is a step whose output it takes, or, in a session that began without a mesh, the first step,
+// What it needs is a step whose output it takes, or, in a model that began without a mesh, the first step,
 // which made one.
 struct OrderFault
 {
@@ -23,7 +23,7 @@ struct OrderFault
 std::vector<Node> moved(std::vector<Node> nodes, std::size_t from, std::size_t to);
 
 // What would be wrong with that; places are those of the history as it is.
-OrderFault faultOfMove(const Session& session, std::size_t from, std::size_t to);
+OrderFault faultOfMove(const Model& model, std::size_t from, std::size_t to);
 
 } // namespace oversketch_session
 #endif

@@ -28,7 +28,7 @@ std::string textOf(const Package& package)
 
 } // namespace
 
-TEST(SceneModels, OneIsChosenAndTheOthersKeepTheirPlaces)
+TEST(Models, OneIsChosenAndTheOthersKeepTheirPlaces)
 {
   const Session pair = pairOf();
   ASSERT_EQ(modelCount(pair), 2u);
@@ -37,21 +37,21 @@ TEST(SceneModels, OneIsChosenAndTheOthersKeepTheirPlaces)
   ASSERT_TRUE(second);
   ASSERT_TRUE(second->made.mesh);
   EXPECT_EQ(second->made.digest, digestOf(second->made.mesh));
-  EXPECT_NE(second->own.scene.id, pair.scene.id);
+  EXPECT_NE(second->own.id, pair.id);
   const Session other = withChosen(pair, 1, second->made);
-  EXPECT_EQ(other.scene.place, 1u);
-  EXPECT_EQ(modelAt(other, 0).scene.id, pair.scene.id);
-  EXPECT_EQ(modelAt(other, 1).scene.id, second->own.scene.id);
+  EXPECT_EQ(other.place, 1u);
+  EXPECT_EQ(modelAt(other, 0).id, pair.id);
+  EXPECT_EQ(modelAt(other, 1).id, second->own.id);
   const Session alone = withoutModel(other, 0);
   EXPECT_EQ(modelCount(alone), 1u);
-  EXPECT_EQ(alone.scene.place, 0u);
+  EXPECT_EQ(alone.place, 0u);
   const Session seen = withModelSeen(withModelSeen(pair, 0, true, true), 1, false, false);
-  EXPECT_TRUE(seen.scene.locked);
-  EXPECT_FALSE(modelAt(seen, 1).scene.shown);
-  EXPECT_TRUE(modelAt(pair, 1).scene.shown) << "a value was changed";
+  EXPECT_TRUE(seen.locked);
+  EXPECT_FALSE(modelAt(seen, 1).shown);
+  EXPECT_TRUE(modelAt(pair, 1).shown) << "a value was changed";
 }
 
-TEST(SceneModels, AreInTheFileWhereThereAreAny)
+TEST(Models, AreInTheFileWhereThereAreAny)
 {
   SessionFile file;
   file.session = dogSession();
@@ -68,11 +68,11 @@ TEST(SceneModels, AreInTheFileWhereThereAreAny)
   EXPECT_NE(textOf(package).find("\"format_version\" : 2"), std::string::npos);
   SessionFile read = decode(package, "a");
   ASSERT_EQ(modelCount(read.session), 2u);
-  EXPECT_EQ(read.session.scene.place, 1u);
-  const Session& rests = modelAt(read.session, 0);
-  EXPECT_FALSE(rests.scene.shown);
-  EXPECT_TRUE(rests.scene.locked);
-  EXPECT_TRUE(read.session.scene.shown);
+  EXPECT_EQ(read.session.place, 1u);
+  const Model& rests = modelAt(read.session, 0);
+  EXPECT_FALSE(rests.shown);
+  EXPECT_TRUE(rests.locked);
+  EXPECT_TRUE(read.session.shown);
   EXPECT_EQ(rests.nodes.size(), pair.nodes.size());
   ASSERT_EQ(read.others.size(), 1u);
   EXPECT_EQ(read.others[0].digest, "0123");
@@ -82,17 +82,17 @@ TEST(SceneModels, AreInTheFileWhereThereAreAny)
   EXPECT_EQ(restingAt(read.session, 0)->made.digest, restingAt(pair, 1)->made.digest) << "the same steps";
 }
 
-TEST(SceneModels, AreUndoneWithTheSteps)
+TEST(Models, AreUndoneWithTheSteps)
 {
   const Session pair = pairOf();
   History history(dogSession());
   history.commit(pair);
   history.amend(withChosen(pair, 1, restingAt(pair, 1)->made));
-  EXPECT_EQ(history.now().scene.place, 1u);
+  EXPECT_EQ(history.now().place, 1u);
   history.undo();
   EXPECT_EQ(modelCount(history.now()), 1u);
   EXPECT_EQ(history.now().nodes.size(), pair.nodes.size());
   history.redo();
   EXPECT_EQ(modelCount(history.now()), 2u);
-  EXPECT_EQ(history.now().scene.place, 1u) << "as it was chosen last";
+  EXPECT_EQ(history.now().place, 1u) << "as it was chosen last";
 }

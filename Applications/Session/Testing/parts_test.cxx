@@ -4,9 +4,9 @@
 #include "drawing_lines.h"
 #include "files.h"
 #include "parts.h"
+#include "picture_skin.h"
 #include "pieces.h"
 #include "session_file.h"
-#include "picture_skin.h"
 #include "texture.h"
 
 #include "vtkCellData.h"
@@ -237,7 +237,7 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
 {
   Session session = gnome();
   session.nodes.push_back(drawing("hat", 3, PartPlace{ { 0.0, 700.0, 400.0, 900.0 }, 0.0 }));
-  session.scene.hidden = { { 3, 0 } };
+  session.hidden = { { 3, 0 } };
   Evaluator evaluator;
   const auto hidden = [&]
   {
@@ -245,7 +245,7 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
     EXPECT_TRUE(evaluator.run(session, {}, outcomes));
     const PartSources parts = sourcesOf(session, outcomes);
     EXPECT_EQ(parts.size(), std::max<std::size_t>(1, partsOf(outcomes.back().mesh).size()));
-    return hiddenOf(session.scene, parts);
+    return hiddenOf(session, parts);
   };
   EXPECT_EQ(hidden(), std::set<int>{ 2 });
   session.nodes[1].on = false;
@@ -266,12 +266,12 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
   // Beside a model that was opened.
   session = dogSession();
   session.nodes = { drawing("head", 7, beside) };
-  session.scene.hidden = { { 0, 0 } };
+  session.hidden = { { 0, 0 } };
   EXPECT_EQ(hidden(), std::set<int>{ 0 });
   session.nodes[0].on = false;
   EXPECT_EQ(hidden(), std::set<int>()) << "no row would bring it back";
   session.nodes[0].on = true;
-  session.scene.hidden = { { 7, 0 } };
+  session.hidden = { { 7, 0 } };
   EXPECT_EQ(hidden(), std::set<int>{ 1 });
 }
 
@@ -283,16 +283,16 @@ TEST(Parts, OnesThatAreHiddenAreInTheFile)
   const std::string without = textOf(file);
   EXPECT_EQ(without.find("hidden_parts"), std::string::npos) << "a member for nothing";
   EXPECT_NE(without.find("\"format_version\" : 1"), std::string::npos);
-  file.session.scene.hidden = { { 0, 3 }, { 8, 1 } };
+  file.session.hidden = { { 0, 3 }, { 8, 1 } };
   const Package package = Encoder().encode(file);
   EXPECT_NE(package.at(sessionEntry)->find("\"format_version\" : 2"), std::string::npos);
   SessionFile read = decode(package, "a");
   const auto isSame = [](const PartSource& a, const PartSource& b)
   { return a.step == b.step && a.part == b.part; };
-  const std::set<PartSource>&was = file.session.scene.hidden, &is = read.session.scene.hidden;
+  const std::set<PartSource>&was = file.session.hidden, &is = read.session.hidden;
   EXPECT_TRUE(std::equal(was.begin(), was.end(), is.begin(), is.end(), isSame));
   EXPECT_EQ(textOf(read), *package.at(sessionEntry));
-  read.session.scene.hidden.clear();
+  read.session.hidden.clear();
   EXPECT_EQ(textOf(read), without) << "the file as it was";
   Package bad = package;
   std::string text = *bad.at(sessionEntry);

@@ -38,7 +38,7 @@ std::vector<SharedPicture> picturesOf(const Session& session)
   {
     add({ decoded(picture->image.bytes) });
   }
-  for (const auto& other : session.scene.others)
+  for (const auto& other : session.others)
   {
     add(decodedOf(other->made.display));
   }
@@ -206,7 +206,7 @@ void Document::recover(const LeftBehind& left, Opened read)
 
 void Document::start(Session session, bool saved, std::vector<SharedPicture> pictures)
 {
-  this->Worn = { { session.scene.id, std::move(pictures) } };
+  this->Worn = { { session.id, std::move(pictures) } };
   this->Changes = std::make_unique<History>(std::move(session));
   this->holdWorn();
   if (saved)
@@ -278,7 +278,7 @@ SessionFile Document::file() const
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
   }
-  for (const auto& other : file.session.scene.others)
+  for (const auto& other : file.session.others)
   {
     file.others.push_back({ originHere(other->made.backendUsed), other->made.digest });
   }
@@ -505,7 +505,7 @@ void Document::keep()
     bool isThere = false;
     for (std::size_t place = 0; place < modelCount(this->session()); ++place)
     {
-      isThere = isThere || modelAt(this->session(), place).scene.id == it->first;
+      isThere = isThere || modelAt(this->session(), place).id == it->first;
     }
     it = isThere ? std::next(it) : this->Worn.erase(it);
   }
@@ -541,7 +541,7 @@ void Document::take(const Worker::Result& result, const std::vector<SharedPictur
     return;
   }
   this->Result = result;
-  this->Worn[this->session().scene.id] = worn;
+  this->Worn[this->session().id] = worn;
   this->Digest.clear();
   this->Traces.clear();
   this->answered(result.ticket);

@@ -16,9 +16,9 @@ Document::Opened Document::readModels(const QString& path, int backend)
 {
   Opened opened = Document::read(path, backend);
   Session scene;
-  scene.scene.others = modelsOf(opened.session);
+  scene.others = modelsOf(opened.session);
   scene.pictures = opened.session.pictures;
-  for (const auto& model : scene.scene.others)
+  for (const auto& model : scene.others)
   {
     for (const SharedPicture& picture : decodedOf(model->made.display))
     {
@@ -32,13 +32,13 @@ Document::Opened Document::readModels(const QString& path, int backend)
 void Document::addModels(const Opened& opened)
 {
   const Session& more = opened.session;
-  if (modelCount(this->session()) + more.scene.others.size() > mostModels)
+  if (modelCount(this->session()) + more.others.size() > mostModels)
   {
     throw oversketch_files::Failed(
       tr("A scene has at most %1 models. Remove some first.").arg(mostModels).toStdString());
   }
   const std::size_t first = modelCount(this->session());
-  Session next = withModels(this->session(), more.scene.others);
+  Session next = withModels(this->session(), more.others);
   next.pictures.insert(next.pictures.end(), more.pictures.begin(), more.pictures.end());
   this->commitScene(std::move(next));
   this->holdWorn();
@@ -47,18 +47,18 @@ void Document::addModels(const Opened& opened)
 
 void Document::holdWorn()
 {
-  for (const auto& other : this->session().scene.others)
+  for (const auto& other : this->session().others)
   {
-    if (this->Worn.count(other->own.scene.id) == 0)
+    if (this->Worn.count(other->own.id) == 0)
     {
-      this->Worn[other->own.scene.id] = decodedOf(other->made.display);
+      this->Worn[other->own.id] = decodedOf(other->made.display);
     }
   }
 }
 
 void Document::chooseModel(int place)
 {
-  this->Wanted = modelAt(this->session(), indexOf(place)).scene.id;
+  this->Wanted = modelAt(this->session(), indexOf(place)).id;
   this->choose();
 }
 
@@ -68,9 +68,9 @@ void Document::choose()
   int place = -1;
   for (std::size_t i = 0; this->Wanted != 0 && i < modelCount(before); ++i)
   {
-    place = modelAt(before, i).scene.id == this->Wanted ? static_cast<int>(i) : place;
+    place = modelAt(before, i).id == this->Wanted ? static_cast<int>(i) : place;
   }
-  if (place < 0 || place == static_cast<int>(before.scene.place))
+  if (place < 0 || place == static_cast<int>(before.place))
   {
     this->Wanted = 0;
     return;
@@ -101,8 +101,8 @@ Session Document::chosen(int place) const
 // Where that brings another model, it is shown as it rested until its steps have run.
 void Document::turnFrom(const Session& before)
 {
-  const int id = this->session().scene.id;
-  if (id == before.scene.id)
+  const int id = this->session().id;
+  if (id == before.id)
   {
     this->run(Change::Edited);
     return;
@@ -112,9 +112,9 @@ void Document::turnFrom(const Session& before)
   this->Traces.clear();
   this->Last.reset();
   this->First = this->Ticket + 1;
-  const auto& others = before.scene.others;
+  const auto& others = before.others;
   const auto same =
-    std::find_if(others.begin(), others.end(), [id](const auto& other) { return other->own.scene.id == id; });
+    std::find_if(others.begin(), others.end(), [id](const auto& other) { return other->own.id == id; });
   if (same != others.end())
   {
     this->Result.mesh = (*same)->made.mesh;
@@ -135,7 +135,7 @@ void Document::removeModel(int place)
   {
     return;
   }
-  if (place != static_cast<int>(before.scene.place))
+  if (place != static_cast<int>(before.place))
   {
     this->commitScene(withoutModel(before, indexOf(place)));
     return;
@@ -147,7 +147,7 @@ void Document::removeModel(int place)
 
 void Document::setModel(int place, bool shown, bool locked)
 {
-  const SceneModels& now = modelAt(this->session(), indexOf(place)).scene;
+  const Model& now = modelAt(this->session(), indexOf(place));
   if (now.shown != shown || now.locked != locked)
   {
     this->commitScene(withModelSeen(this->session(), indexOf(place), shown, locked));
@@ -161,7 +161,7 @@ void Document::setPart(int number, bool shown)
 
 QString Document::whyNoSteps() const
 {
-  const SceneModels& scene = this->session().scene;
+  const Session& scene = this->session();
   const QString name = QString::fromStdString(this->session().meshName);
   return scene.locked   ? tr("%1 is locked and takes no strokes. Unlock it in the list Scene.").arg(name)
          : !scene.shown ? tr("%1 is hidden and takes no strokes. Tick it in the list Scene.").arg(name)

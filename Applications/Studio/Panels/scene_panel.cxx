@@ -194,8 +194,8 @@ void ScenePanel::refresh()
     this->hideParts();
     // What is new is the hand's next.
     const int now = this->List->count();
-    const auto isChosen = [place = static_cast<int>(this->OpenDocument->session().scene.place)](
-                            const Row& one) { return one.model == place; };
+    const auto isChosen = [place = static_cast<int>(this->OpenDocument->session().place)](const Row& one)
+    { return one.model == place; };
     if (before > 0 && now == before + 1 && this->rowAt(now - 1).picture > last.picture)
     {
       row = now - 1;
@@ -221,20 +221,19 @@ void ScenePanel::findParts()
     parts.clear();
   }
   this->Parts = std::move(parts);
-  this->PartsOf = this->OpenDocument->session().scene.id;
+  this->PartsOf = this->OpenDocument->session().id;
 }
 
 std::set<int> ScenePanel::hiddenParts() const
 {
-  return this->Parts.empty()
-           ? std::set<int>()
-           : hiddenOf(this->OpenDocument->session().scene, this->OpenDocument->result().parts);
+  return this->Parts.empty() ? std::set<int>()
+                             : hiddenOf(this->OpenDocument->session(), this->OpenDocument->result().parts);
 }
 
 void ScenePanel::hideParts()
 {
   const std::set<int> hidden =
-    this->OpenDocument->session().scene.shown ? this->hiddenParts() : std::set<int>{ -1 };
+    this->OpenDocument->session().shown ? this->hiddenParts() : std::set<int>{ -1 };
   if (hidden != std::exchange(this->Told, hidden))
   {
     emit this->partsHidden(hidden);
@@ -259,19 +258,19 @@ void ScenePanel::list()
   const std::set<int> hidden = this->hiddenParts();
   for (std::size_t place = 0; place < count; ++place)
   {
-    const Session& model = modelAt(session, place);
-    const bool isChosen = place == session.scene.place;
+    const Model& model = modelAt(session, place);
+    const bool isChosen = place == session.place;
     const QString name = QString::fromStdString(model.meshName);
     const QString text = count > 1 ? name : tr("Model: %1").arg(name);
     const auto at = static_cast<int>(place);
     if (count > 1 || this->Parts.empty())
     {
       this->addRow({ at },
-        model.scene.locked ? tr("%1 (locked)").arg(text) : text,
+        model.locked ? tr("%1 (locked)").arg(text) : text,
         count == 1 ? tr("The model")
         : isChosen ? tr("The chosen model, which strokes act on")
                    : tr("A click chooses this model: strokes then act on it"),
-        model.scene.shown);
+        model.shown);
       QFont font = this->List->font();
       font.setBold(count > 1 && isChosen);
       this->List->item(this->List->count() - 1)->setFont(font);
@@ -307,9 +306,9 @@ void ScenePanel::showSelected()
   this->Add->setEnabled(open);
   this->View->setEnabled(isPicture);
   const Picture picture = isPicture ? this->pictureAt(row) : Picture();
-  const bool locked =
-    isModel ? modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).scene.locked
-            : picture.locked;
+  const bool locked = isModel
+                        ? modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).locked
+                        : picture.locked;
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
   this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
@@ -379,7 +378,7 @@ void ScenePanel::setShown(int at, bool shown)
   }
   else if (row.model >= 0)
   {
-    const bool locked = modelAt(session, static_cast<std::size_t>(row.model)).scene.locked;
+    const bool locked = modelAt(session, static_cast<std::size_t>(row.model)).locked;
     this->OpenDocument->setModel(row.model, shown, locked);
   }
 }
@@ -395,8 +394,8 @@ void ScenePanel::lock(bool locked)
   }
   else if (row.model >= 0)
   {
-    const Session& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
-    this->OpenDocument->setModel(row.model, of.scene.shown, locked);
+    const Model& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
+    this->OpenDocument->setModel(row.model, of.shown, locked);
   }
 }
 
@@ -419,7 +418,7 @@ void ScenePanel::exportRow()
   const Row row = this->rowAt(at);
   if (row.model >= 0)
   {
-    const Session& model = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
+    const Model& model = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
     emit this->exportAsked(row.model,
       row.part,
       row.part < 0 ? QString::fromStdString(model.meshName) : this->List->item(at)->text().trimmed());

@@ -387,7 +387,7 @@ TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
     EXPECT_EQ(scene.document->name(), "dog.ply");
     EXPECT_TRUE(scene.document->session().nodes.empty());
     EXPECT_TRUE(scene.document->session().pictures.empty());
-    EXPECT_TRUE(scene.document->session().scene.others.empty());
+    EXPECT_TRUE(scene.document->session().others.empty());
     EXPECT_FALSE(QFile::exists(saved) || QFile::exists(exported)) << "what was given up appeared";
     EXPECT_FALSE(findDecoded(bytes)) << "kept for ever";
   }

@@ -72,7 +72,7 @@ struct Dogs : Scene
   }
   bool comesTo(std::size_t place)
   {
-    const bool came = QTest::qWaitFor([&] { return this->session().scene.place == place; }, 600000);
+    const bool came = QTest::qWaitFor([&] { return this->session().place == place; }, 600000);
     this->wait();
     return came;
   }
@@ -269,7 +269,7 @@ TEST(Models, StrokesActOnTheChosenOne)
   pair.document->undo();
   pair.wait();
   EXPECT_EQ(pair.document->digest(), second);
-  EXPECT_EQ(pair.session().scene.place, 1u);
+  EXPECT_EQ(pair.session().place, 1u);
   // A drop beside the list opens the file instead, once what is not saved has been asked about.
   pair.document->save(pair.folder.filePath("kept.oversketch"));
   pair.drop(pair.view);
@@ -284,7 +284,7 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   EXPECT_TRUE(pair.comesTo(1));
   const std::string second = pair.document->digest();
   pair.clickButton("Lock");
-  EXPECT_TRUE(pair.session().scene.locked);
+  EXPECT_TRUE(pair.session().locked);
   EXPECT_EQ(pair.list->item(1)->text(), "second.ply (locked)");
   pair.stroke();
   EXPECT_TRUE(pair.session().nodes.empty());
@@ -293,19 +293,19 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
     << qPrintable(pair.advice->text());
   pair.document->undo();
   pair.wait();
-  EXPECT_FALSE(pair.session().scene.locked);
+  EXPECT_FALSE(pair.session().locked);
 
   // Hidden: not drawn, not clicked, by a tick that chooses nothing.
   const QImage both = pair.pictureAtRest();
   const QPoint there = pair.front(pair.other(0));
   pair.clickTick(0);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return !modelAt(pair.session(), 0).scene.shown; }, 60000));
-  EXPECT_EQ(pair.session().scene.place, 1u) << "the tick chose it";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !modelAt(pair.session(), 0).shown; }, 60000));
+  EXPECT_EQ(pair.session().place, 1u) << "the tick chose it";
   EXPECT_GT(differing(pair.pictureAtRest(), both), 3000);
   QTest::mouseClick(pair.view, Qt::LeftButton, Qt::NoModifier, there);
   QApplication::processEvents();
   pair.wait();
-  EXPECT_EQ(pair.session().scene.place, 1u) << "what is hidden was clicked";
+  EXPECT_EQ(pair.session().place, 1u) << "what is hidden was clicked";
   pair.clickRow(0);
   EXPECT_TRUE(pair.comesTo(0));
   EXPECT_TRUE(pair.advice->text().contains("is hidden and takes no strokes"))
@@ -328,9 +328,9 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   ASSERT_TRUE(pair.window.open(kept));
   pair.wait();
   ASSERT_EQ(modelCount(pair.session()), 2u);
-  EXPECT_EQ(pair.session().scene.place, 1u);
-  EXPECT_TRUE(pair.session().scene.locked);
-  EXPECT_FALSE(modelAt(pair.session(), 0).scene.shown);
+  EXPECT_EQ(pair.session().place, 1u);
+  EXPECT_TRUE(pair.session().locked);
+  EXPECT_FALSE(modelAt(pair.session(), 0).shown);
   EXPECT_EQ(pair.document->digest(), drawn);
   EXPECT_EQ(restingAt(pair.session(), 0)->made.digest, pair.first);
   EXPECT_FALSE(pair.window.isWindowModified());
@@ -392,7 +392,7 @@ TEST(Models, LockedAndHiddenOnesTakeNoStrokesAndAreKept)
   auto* document = window.findChild<Document*>();
   EXPECT_TRUE(QTest::qWaitFor([&] { return document->isSettled(); }, 600000));
   EXPECT_EQ(modelCount(document->session()), 2u);
-  EXPECT_TRUE(modelAt(document->session(), 0).scene.locked);
+  EXPECT_TRUE(modelAt(document->session(), 0).locked);
   EXPECT_EQ(document->digest(), drawn);
   document->discardAutosave();
 }
@@ -405,8 +405,8 @@ TEST(Models, TooManyAreRefused)
   document.open(Document::read(dog, 0));
   EXPECT_TRUE(QTest::qWaitFor([&] { return document.isSettled(); }, 600000));
   Document::Opened many = Document::readModels(dog, 0);
-  ASSERT_EQ(many.session.scene.others.size(), 1u);
-  many.session.scene.others.resize(mostModels, many.session.scene.others.front());
+  ASSERT_EQ(many.session.others.size(), 1u);
+  many.session.others.resize(mostModels, many.session.others.front());
   try
   {
     document.addModels(std::move(many));

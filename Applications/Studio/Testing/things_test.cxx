@@ -189,7 +189,7 @@ TEST(Things, PartsThatAreHiddenStaySo)
   // While another model is worked on, too.
   all.document->addModels(Document::readModels(OVERSKETCH_DATA_FOLDER "/Models/dog.ply", 0));
   all.settle();
-  ASSERT_EQ(all.document->session().scene.place, 1u);
+  ASSERT_EQ(all.document->session().place, 1u);
   const QImage rests = all.picture();
   all.document->undo();
   all.settle();

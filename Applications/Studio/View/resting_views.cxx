@@ -26,14 +26,14 @@ RestingViews::RestingViews(vtkRenderer* renderer)
 
 RestingViews::~RestingViews() = default;
 
-void RestingViews::show(const SceneModels& scene)
+void RestingViews::show(const Session& scene)
 {
   std::map<int, std::unique_ptr<ModelView>> before = std::exchange(this->Views, {});
   for (const auto& other : scene.others)
   {
-    const int id = other->own.scene.id;
+    const int id = other->own.id;
     vtkPolyData* mesh = other->made.display;
-    if (!mesh || !other->own.scene.shown)
+    if (!mesh || !other->own.shown)
     {
       continue;
     }
@@ -45,7 +45,7 @@ void RestingViews::show(const SceneModels& scene)
       view->setPlain(dim * this->Plain[0], dim * this->Plain[1], dim * this->Plain[2]);
       view->setShading(this->Look, this->Pictures);
     }
-    view->hide(hiddenOf(other->own.scene, other->made.parts));
+    view->hide(hiddenOf(other->own, other->made.parts));
     if (view->mesh() != mesh)
     {
       view->show(mesh);

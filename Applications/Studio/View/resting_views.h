@@ -27,7 +27,7 @@ public:
   RestingViews& operator=(const RestingViews&) = delete;
 
   // Those of a scene that are shown.
-  void show(const oversketch_session::SceneModels& scene);
+  void show(const oversketch_session::Session& scene);
   void setShading(Shading shading, bool pictures);
   void setPlain(double red, double green, double blue);
 

@@ -404,7 +404,7 @@ void MainWindow::select(int node)
 void MainWindow::showSection(int node)
 {
   const auto& states = this->OpenDocument->result().nodes;
-  const bool isSeen = node >= 0 && indexOf(node) < states.size() && this->OpenDocument->session().scene.shown;
+  const bool isSeen = node >= 0 && indexOf(node) < states.size() && this->OpenDocument->session().shown;
   this->View->showSection(isSeen ? states[indexOf(node)].hold.Get() : nullptr);
 }
 

@@ -26,7 +26,7 @@ void MainWindow::listenToModels()
 {
   const auto follow = [this]
   {
-    const SceneModels& scene = this->OpenDocument->session().scene;
+    const Session& scene = this->OpenDocument->session();
     this->View->display().others().show(scene);
     this->Lines->setVisible(scene.shown);
     this->View->renderSoon();
@@ -133,7 +133,7 @@ bool MainWindow::chooseModelAt(const QPoint& place)
   const Session& session = this->OpenDocument->session();
   for (std::size_t i = 0; id && i < modelCount(session); ++i)
   {
-    if (modelAt(session, i).scene.id == *id)
+    if (modelAt(session, i).id == *id)
     {
       this->OpenDocument->chooseModel(static_cast<int>(i));
       return true;
