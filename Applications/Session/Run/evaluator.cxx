@@ -91,16 +91,16 @@ struct Evaluator::Runner
   std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
   // What is prepared for a mesh, where that is not to take the place of what the last step computed.
-  std::unique_ptr<SystemRunner> ahead;
-  vtkSmartPointer<vtkPolyData> aheadOf;
+  std::unique_ptr<SystemRunner> prepared;
+  vtkSmartPointer<vtkPolyData> preparedFor;
   // Takes it up where a step is given that mesh.
-  void turnTo(const Inputs& inputs)
+  void adoptPrepared(const Inputs& inputs)
   {
-    const auto isAheadOf = [this](const auto& input) { return input.second == this->aheadOf; };
-    if (this->ahead && std::any_of(inputs.begin(), inputs.end(), isAheadOf))
+    const auto isPreparedFor = [this](const auto& input) { return input.second == this->preparedFor; };
+    if (this->prepared && std::any_of(inputs.begin(), inputs.end(), isPreparedFor))
     {
-      this->steps = std::move(this->ahead);
-      this->aheadOf = nullptr;
+      this->steps = std::move(this->prepared);
+      this->preparedFor = nullptr;
     }
   }
   // The last lines of each input, and whose they are.
@@ -262,7 +262,7 @@ bool Evaluator::make(Run& run,
     listener.progress = [&](const std::string& stage, double share)
     { run.watch.progress(index, stage, share); };
   }
-  runner.turnTo(inputs);
+  runner.adoptPrepared(inputs);
   ++this->Runs;
   runner.last = 0;
   if (!runner.steps->run(step, inputs, run.model.backend, ports, listener, outcome))
@@ -450,17 +450,17 @@ void Evaluator::prepare(const SystemRow& row, vtkPolyData* mesh, int backend, co
   Listener listener;
   listener.cancelled = watch.cancelled;
   Runner& runner = *this->runner(row.name);
-  if (!row.followsHand)
+  if (!row.previewsEdits)
   {
     runner.steps->prepare(mesh, backend, listener);
     return;
   }
-  if (!runner.ahead || runner.aheadOf != mesh)
+  if (!runner.prepared || runner.preparedFor != mesh)
   {
-    runner.ahead = std::make_unique<SystemRunner>(row); // a fresh one holds nothing of other meshes
-    runner.aheadOf = mesh;
+    runner.prepared = std::make_unique<SystemRunner>(row); // a fresh one holds nothing of other meshes
+    runner.preparedFor = mesh;
   }
-  runner.ahead->prepare(mesh, backend, listener);
+  runner.prepared->prepare(mesh, backend, listener);
 }
 
 vtkPolyData* resultOf(const Model& model, const std::vector<Outcome>& outcomes)

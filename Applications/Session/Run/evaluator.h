@@ -90,7 +90,7 @@ private:
   // Who runs a system's steps, and whose outcome its last one is.
   struct Runner;
   // What the step of a part made, before it was put at its place.
-  struct Bare
+  struct UnplacedPart
   {
     Step step;
     int backend = 0;
@@ -131,7 +131,7 @@ private:
 
   const std::vector<SystemRow>& Rows;
   std::map<std::string, std::unique_ptr<Runner>> Runners; // by system
-  std::map<int, Bare> Parts;                              // by node
+  std::map<int, UnplacedPart> Parts;                      // by node
   std::map<std::uint64_t, Kept> Outcomes;                 // what an outcome takes comes before it
   std::map<Place, std::uint64_t> Numbers;
   using Images = std::map<SystemInput::Kind, vtkSmartPointer<vtkImageData>>;

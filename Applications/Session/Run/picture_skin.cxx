@@ -89,7 +89,7 @@ void wearPictures(const Step& step, const SystemRow& row, const DecodedInput& de
     const auto given = step.inputs.find(name);
     return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
   };
-  const Image *front = imageOf(row.worn), *back = imageOf(row.wornBehind);
+  const Image *front = imageOf(row.textureInput), *back = imageOf(row.backTextureInput);
   const auto put = [&](const Image* image, const std::string& name, int part, const std::string& prefix)
   {
     if (image)
@@ -100,8 +100,8 @@ void wearPictures(const Step& step, const SystemRow& row, const DecodedInput& de
   };
   if (mesh->GetPointData()->GetTCoords())
   {
-    put(front, row.worn, 0, back ? "Part0." : "");
-    put(back, row.wornBehind, 1, "Part1.");
+    put(front, row.textureInput, 0, back ? "Part0." : "");
+    put(back, row.backTextureInput, 1, "Part1.");
   }
 }
 

@@ -248,7 +248,7 @@ bool SystemRunner::runReflected(const Task& task, Outcome& outcome)
     vtkPolyData* under = vtkPolyData::SafeDownCast(mesh->second);
     vtkNew<vtkPolyData> hold;
     this->System->Preview(under, strokes, hold);
-    if (!liesAcross(hold, plane, under))
+    if (!crossesMirrorPlane(hold, plane, under))
     {
       inputs[drawn->first] = withReflections(strokes, plane);
     }
@@ -291,7 +291,7 @@ bool SystemRunner::runTwice(const Task& task, Outcome& outcome)
   {
     return false;
   }
-  if (!one.failure.empty() || liesAcross(one.hold, plane, before))
+  if (!one.failure.empty() || crossesMirrorPlane(one.hold, plane, before))
   {
     outcome = one;
     return true;

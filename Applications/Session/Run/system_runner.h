@@ -52,7 +52,8 @@ public:
   // - Where the system moved points alone, and none on both sides, both runs start from the mesh that came:
   //   the one does not see what the other did, and sides that are alike come out alike. Else the other side
   //   is run on what the first one made, where its stroke then ends up as it was drawn.
-  // - A stroke over the plane itself acts once (liesAcross, two_sides.h), and so does one that in the mirror
+  // - A stroke over the plane itself acts once (crossesMirrorPlane, two_sides.h), and so does one that in the
+  // mirror
   //   takes hold of the same place (isSamePlace).
   // - The place and the ports are those of the side that was drawn on. A failure of the other one is the
   //   step's; its message, as a warning's, begins with that side ("mirrored to x < 0: ").

@@ -68,7 +68,7 @@ void append(vtkPolyData* part, vtkPoints* points, vtkCellArray* polygons)
 
 } // namespace
 
-bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
+bool crossesMirrorPlane(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
 {
   vtkNew<vtkIdList> ids;
   if (hold->GetNumberOfLines() > 0)
@@ -95,9 +95,9 @@ bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance)
   return !along.empty() && above == below;
 }
 
-bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, vtkPolyData* mesh)
+bool crossesMirrorPlane(vtkPolyData* hold, const MirrorPlane& plane, vtkPolyData* mesh)
 {
-  return liesAcross(hold, plane, vtkNew<vtkOversketchMirror>()->GetTolerance() * mesh->GetLength());
+  return crossesMirrorPlane(hold, plane, vtkNew<vtkOversketchMirror>()->GetTolerance() * mesh->GetLength());
 }
 
 bool isSamePlace(const std::optional<Section>& drawn,

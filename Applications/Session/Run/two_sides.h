@@ -14,9 +14,9 @@ namespace oversketch_session
 // True of a line, where a step took hold, that is its own mirror image as far as one can mean it: without a
 // tenth of its length at either end, which rests on the body, it has points on both sides of the plane, or
 // none beside it. Nearer than the tolerance [length] is in the plane.
-bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, double tolerance);
+bool crossesMirrorPlane(vtkPolyData* hold, const MirrorPlane& plane, double tolerance);
 // By the tolerance within which points of the mesh have partners.
-bool liesAcross(vtkPolyData* hold, const MirrorPlane& plane, vtkPolyData* mesh);
+bool crossesMirrorPlane(vtkPolyData* hold, const MirrorPlane& plane, vtkPolyData* mesh);
 
 // The mesh with its points where either of two results has moved them; other arrays are those of the first,
 // but normals. Null where both moved a point, or their triangles are not those of the mesh.

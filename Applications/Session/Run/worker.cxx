@@ -128,7 +128,7 @@ std::uint64_t Worker::submit(Model model)
       this->Wanted = ticket;
     }
     this->Next = std::move(model);
-    this->Glance.reset();
+    this->Aside.reset();
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -155,7 +155,7 @@ void Worker::cancel()
     const std::lock_guard<std::mutex> lock(this->Mutex);
     waiting = this->Next ? this->Ticket : 0;
     this->Next.reset();
-    this->Glance.reset();
+    this->Aside.reset();
     this->Waiting = false;
     this->Wanted = 0;
   }
@@ -166,7 +166,7 @@ void Worker::cancel()
   }
 }
 
-void Worker::glance(Model model)
+void Worker::evaluateAside(Model model)
 {
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -174,7 +174,7 @@ void Worker::glance(Model model)
     {
       return;
     }
-    this->Glance = std::move(model);
+    this->Aside = std::move(model);
     this->Waiting = true;
   }
   this->Wake.notify_one();
@@ -188,7 +188,7 @@ void Worker::work()
     std::uint64_t ticket = 0;
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
-      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Glance; });
+      this->Wake.wait(lock, [this] { return this->Stop || this->Next || this->Aside; });
       if (this->Stop)
       {
         return;
@@ -202,7 +202,7 @@ void Worker::work()
       ticket = this->Ticket;
       this->Wanted = ticket;
     }
-    model ? this->runOne(ticket, *model) : this->runGlance(ticket);
+    model ? this->runOne(ticket, *model) : this->runAside(ticket);
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Running.reset();
   }
@@ -257,12 +257,12 @@ std::vector<Worker::NodeState> Worker::statesOf(const Model& model, const std::v
   return states;
 }
 
-void Worker::runGlance(std::uint64_t ticket)
+void Worker::runAside(std::uint64_t ticket)
 {
   std::optional<Model> model;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    model = std::exchange(this->Glance, std::nullopt);
+    model = std::exchange(this->Aside, std::nullopt);
     this->Waiting = this->Next.has_value();
   }
   if (!model)
@@ -272,7 +272,7 @@ void Worker::runGlance(std::uint64_t ticket)
   Evaluator::Watch watch;
   watch.cancelled = [&] { return this->Wanted != ticket; };
   std::vector<Outcome> outcomes;
-  if (this->Report.glanced && this->Runner.run(*model, watch, outcomes) && !watch.cancelled())
+  if (this->Report.evaluatedAside && this->Runner.run(*model, watch, outcomes) && !watch.cancelled())
   {
     vtkPolyData* made = resultOf(*model, outcomes);
     SharedData display;
@@ -280,7 +280,7 @@ void Worker::runGlance(std::uint64_t ticket)
     {
       display = oversketch_files::withPointNormals(shared(made));
     }
-    this->Report.glanced(std::move(display));
+    this->Report.evaluatedAside(std::move(display));
   }
 }
 
@@ -374,7 +374,7 @@ void Worker::runOne(std::uint64_t ticket, const Model& model)
         return;
       }
     }
-    this->runGlance(ticket);
+    this->runAside(ticket);
     if (next)
     {
       this->Runner.prepare(*next, shown, model.backend, watch);

@@ -71,7 +71,7 @@ public:
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
       progress;
     // The mesh of a model that was only looked at, as Result::display; null where it makes none.
-    std::function<void(SharedData)> glanced;
+    std::function<void(SharedData)> evaluatedAside;
     // While nothing else is to be run, after all that: each step's stroke on the mesh that the model shows
     // (strokeOn; null where there is none), and, one by one, the pictures that are missing.
     std::function<void(std::uint64_t ticket, std::vector<SharedData> lines)> traced;
@@ -96,12 +96,12 @@ public:
   void keepWorkUpTo(vtkIdType triangles) { this->MostKept = triangles; }
   // Makes the mesh of another model, once nothing else is to be done, and nothing more: of the steps of the
   // last one it is there. The newest such asking wins, and what is submitted before it.
-  void glance(Model model);
+  void evaluateAside(Model model);
 
 private:
   void work();
   void runOne(std::uint64_t ticket, const Model& model);
-  void runGlance(std::uint64_t ticket);
+  void runAside(std::uint64_t ticket);
   // Fills in both meshes.
   void show(vtkPolyData* mesh, Result& result);
   // What the outcomes are, as copies; of those that were copied for the last model the same ones.
@@ -124,7 +124,7 @@ private:
   vtkSmartPointer<vtkPolyData> Shown, Display; // the last mesh, and the same with normals
   std::mutex Mutex;
   std::condition_variable Wake;
-  std::optional<Model> Next, Running, Glance;
+  std::optional<Model> Next, Running, Aside;
   std::uint64_t Ticket = 0;                  // of the newest model
   std::uint64_t Seen = 0;                    // of the newest result that was
   std::atomic<std::uint64_t> Wanted{ 0 };    // the ticket that may run; all others are to stop

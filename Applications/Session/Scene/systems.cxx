@@ -209,7 +209,7 @@ SystemRow augment()
       &System::GetAsPublished),
   };
   row.reflectsStrokes = true;
-  row.followsHand = true;
+  row.previewsEdits = true;
   return row;
 }
 #endif
@@ -350,7 +350,7 @@ SystemRow edit()
     { "drag", "Operations", "DX,DY", "move all of the line to the right and up in its view [px]" },
   };
   row.runsTwice = true;
-  row.followsHand = true;
+  row.previewsEdits = true;
   return row;
 }
 #endif
@@ -379,8 +379,8 @@ SystemRow inflateDrawing()
     { "Picture", "image", "the picture that was drawn over", Kind::Picture, 1, true },
     { "BackPicture", "back-image", "a picture of the back, as seen from behind", Kind::Picture, 2, true }
   };
-  row.worn = "Picture";
-  row.wornBehind = "BackPicture";
+  row.textureInput = "Picture";
+  row.backTextureInput = "BackPicture";
   row.skin = true;
   row.parameters = {
     between(0,

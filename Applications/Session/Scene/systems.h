@@ -114,14 +114,14 @@ struct SystemRow
   // It acts on both sides by two runs, whatever the points (SystemRunner::run).
   bool runsTwice = false;
   // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
-  std::string worn;
+  std::string textureInput;
   // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
-  std::string wornBehind;
+  std::string backTextureInput;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
   // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
   // what is prepared for the next one.
-  bool followsHand = false;
+  bool previewsEdits = false;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
 };

@@ -295,12 +295,13 @@ TEST(Mirror, WhatLiesOverAPlane)
 {
   const MirrorPlane plane{ 0, 1.0 };
   const Vector3 left(0.0, 0.0, 0.0), middle(1.0, 1.0, 0.0), right(2.0, 0.0, 0.0), over(1.0, 0.0, 0.0);
-  EXPECT_TRUE(liesAcross(line(left, right), plane, 1e-6));
-  EXPECT_TRUE(liesAcross(line(over, middle), plane, 1e-6)) << "in the plane";
-  EXPECT_FALSE(liesAcross(line(left, over), plane, 1e-6)) << "up to it";
-  EXPECT_FALSE(liesAcross(line(left, { 1.04, 0.0, 0.0 }), plane, 1e-6)) << "the end rests on the body";
-  EXPECT_TRUE(liesAcross(line(left, { 1.4, 0.0, 0.0 }), plane, 1e-6));
-  EXPECT_FALSE(liesAcross(vtkNew<vtkPolyData>(), plane, 1e-6)) << "no place";
+  EXPECT_TRUE(crossesMirrorPlane(line(left, right), plane, 1e-6));
+  EXPECT_TRUE(crossesMirrorPlane(line(over, middle), plane, 1e-6)) << "in the plane";
+  EXPECT_FALSE(crossesMirrorPlane(line(left, over), plane, 1e-6)) << "up to it";
+  EXPECT_FALSE(crossesMirrorPlane(line(left, { 1.04, 0.0, 0.0 }), plane, 1e-6))
+    << "the end rests on the body";
+  EXPECT_TRUE(crossesMirrorPlane(line(left, { 1.4, 0.0, 0.0 }), plane, 1e-6));
+  EXPECT_FALSE(crossesMirrorPlane(vtkNew<vtkPolyData>(), plane, 1e-6)) << "no place";
   const Section below{ { 0.5, 0.0, 0.0 }, 1.0 }, above{ { 1.5, 0.0, 0.0 }, 1.0 };
   EXPECT_TRUE(isSamePlace(below, above, plane));
   EXPECT_FALSE(isSamePlace(below, below, plane));

@@ -148,7 +148,7 @@ inline const std::vector<oversketch_session::SystemRow>& rowsWithToys()
     blow.inputs = { { "Drawing", "drawing", "", Kind::Stroke, 0 },
       { "Picture", "picture", "", Kind::Picture, 1, true } };
     blow.parameters = { parameter<Blow>("Label", "label", "", "", &Blow::SetLabel, &Blow::GetLabel) };
-    blow.worn = "Picture";
+    blow.textureInput = "Picture";
     all.push_back(withDefaults(blow));
     SystemRow lift;
     lift.name = "Lift";

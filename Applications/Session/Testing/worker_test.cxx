@@ -54,7 +54,7 @@ struct Desk
       this->cancelled.push_back(ticket);
       this->told.notify_all();
     };
-    listener.glanced = [this](const SharedData& mesh)
+    listener.evaluatedAside = [this](const SharedData& mesh)
     {
       const std::lock_guard<std::mutex> lock(this->mutex);
       this->glances.push_back(mesh);
@@ -126,7 +126,7 @@ TEST(Worker, AGlanceGivesAnEarlierMeshAndChangesNothing)
   const std::size_t stages = desk.stages.size();
   const auto glance = [&](const Session& at)
   {
-    worker.glance(at);
+    worker.evaluateAside(at);
     EXPECT_TRUE(desk.wait([&] { return !desk.glances.empty(); }));
     const vtkSmartPointer<vtkPolyData> mesh = desk.glances.at(0).own();
     desk.glances.clear();
@@ -139,7 +139,7 @@ TEST(Worker, AGlanceGivesAnEarlierMeshAndChangesNothing)
   EXPECT_EQ(desk.stages.size(), stages) << "a step was run for it";
   EXPECT_EQ(desk.done.size(), 1u);
   // What is submitted goes before it.
-  worker.glance(before);
+  worker.evaluateAside(before);
   worker.submit(session);
   ASSERT_TRUE(desk.wait([&] { return desk.done.size() == 2; }));
   EXPECT_TRUE(identical(desk.done[0].mesh, desk.done[1].mesh));
@@ -158,7 +158,7 @@ TEST(Worker, WhatAGlanceInterruptsGoesOn)
   // Before anything of what comes after the details could begin.
   listener.detailed = [&, inner = listener.detailed](const Worker::Details& details)
   {
-    worker->glance(none);
+    worker->evaluateAside(none);
     inner(details);
   };
   listener.traced = [&](std::uint64_t ticket, const std::vector<SharedData>&)

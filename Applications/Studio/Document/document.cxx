@@ -119,10 +119,10 @@ Document::Document(QObject* parent)
       [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
       Qt::QueuedConnection);
   };
-  listener.glanced = [this](const SharedData& mesh)
+  listener.evaluatedAside = [this](const SharedData& mesh)
   {
     QMetaObject::invokeMethod(
-      this, [this, mesh] { emit this->glanced(mesh); }, Qt::QueuedConnection);
+      this, [this, mesh] { emit this->beforeCame(mesh); }, Qt::QueuedConnection);
   };
   this->Background = std::make_unique<Worker>(std::move(listener));
   this->Saver.onKept(
@@ -223,11 +223,11 @@ void Document::start(Session session, bool saved, std::vector<SharedPicture> pic
   emit this->begun();
 }
 
-void Document::glanceBefore(int node)
+void Document::requestBefore(int node)
 {
   Session before = this->session();
   before.nodes.resize(std::min(before.nodes.size(), indexOf(node)));
-  this->Background->glance(std::move(before));
+  this->Background->evaluateAside(std::move(before));
 }
 
 void Document::save(const QString& path)

@@ -147,8 +147,8 @@ public:
   // Stops the computing and goes back to the history that is shown (Redo brings the change back).
   void cancel();
 
-  // Makes the mesh that comes to a node's step, for glanced().
-  void glanceBefore(int node);
+  // Makes the mesh that comes to a node's step, for beforeCame().
+  void requestBefore(int node);
 
   // Of larger models the steps' work is not kept (Worker::keepWorkUpTo).
   void keepWorkUpTo(vtkIdType triangles) { this->Background->keepWorkUpTo(triangles); }
@@ -183,7 +183,7 @@ signals:
   void shown();
   void detailed();
   // The mesh that was asked for, with normals; null where there is none.
-  void glanced(const oversketch_session::SharedData& mesh);
+  void beforeCame(const oversketch_session::SharedData& mesh);
   // Each step's stroke on the surface has come (Worker::Listener::traced); a step's picture has.
   void traced();
   void pictured(int node);

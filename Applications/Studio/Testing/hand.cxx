@@ -85,7 +85,7 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
       [this](int, const oversketch_session::PartPlace&, bool goesOn) { this->Doing.placed += !goesOn; });
   }
   connect(this->OpenDocument, &Document::opened, this, [this] { ++this->Doing.opened; });
-  connect(this->OpenDocument, &Document::glanced, this, [this] { ++this->Doing.glances; });
+  connect(this->OpenDocument, &Document::beforeCame, this, [this] { ++this->Doing.glances; });
   connect(this->OpenDocument,
     &Document::detailed,
     this,

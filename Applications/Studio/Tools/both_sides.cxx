@@ -134,7 +134,7 @@ vtkPolyData* BothSides::show(vtkPolyData* live, vtkOversketchEdit* edit, const M
     vtkNew<vtkPolyData> hold;
     edit->GetHold(hold);
     this->Followers.clear();
-    if (!oversketch_session::liesAcross(hold, plane, live))
+    if (!oversketch_session::crossesMirrorPlane(hold, plane, live))
     {
       this->bind(live, rest, moved, plane);
     }

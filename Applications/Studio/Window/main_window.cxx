@@ -70,7 +70,7 @@ MainWindow::MainWindow(QWidget* parent)
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))
   , Cancel(new QPushButton(tr("&Cancel"), this))
-  , Patience(new QTimer(this))
+  , BusyTimer(new QTimer(this))
 {
   for (Tool* tool : this->Tools)
   {
@@ -111,7 +111,7 @@ MainWindow::MainWindow(QWidget* parent)
   }
   this->restoreState(settings.value("state").toByteArray());
   this->apply(Preferences::read());
-  connect(this->View, &Viewport::cameraMoves, this, [this] { this->Teaches = false; });
+  connect(this->View, &Viewport::cameraMoves, this, [this] { this->ShowsHints = false; });
   this->View->installEventFilter(this);
   for (QWidget* canvas : this->Canvases)
   {
@@ -230,7 +230,7 @@ void MainWindow::opened()
   {
     this->View->clearMesh();
   }
-  if (this->Reset)
+  if (this->FrameOnNextMesh)
   {
     this->Look->setUpAxis(this->OpenDocument->upAxis());
   }
@@ -433,7 +433,7 @@ void MainWindow::offerStep()
   this->View->showRegion(nullptr);
   // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
   const bool can = this->Redrawn < 0 && node >= 0 && node <= last && indexOf(last + 1) == states.size() &&
-                   nodes[indexOf(node)].on && !this->OpenDocument->isBusy() && this->Takes;
+                   nodes[indexOf(node)].on && !this->OpenDocument->isBusy() && this->AcceptsSteps;
   Tool* tool = can ? this->toolOf(node) : nullptr;
   this->offerNothing();
   if (!tool)
@@ -462,8 +462,8 @@ void MainWindow::showResult()
   if (result.display)
   {
     Latency::of().meshComes();
-    this->View->showMesh(result.display, this->Reset);
-    if (std::exchange(this->Reset, false) && this->OpenDocument->look())
+    this->View->showMesh(result.display, this->FrameOnNextMesh);
+    if (std::exchange(this->FrameOnNextMesh, false) && this->OpenDocument->look())
     {
       lookAs(*this->OpenDocument->look(), *this->View);
     }
@@ -482,7 +482,7 @@ void MainWindow::showResult()
   else if (this->isNothingDrawn())
   {
     this->View->clearMesh();
-    this->Reset = true;
+    this->FrameOnNextMesh = true;
   }
   this->History->refresh();
   this->hearRows();
@@ -531,13 +531,13 @@ void MainWindow::refresh()
   this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->OpenDocument->name()) : tr("Oversketch"));
   if (!this->OpenDocument->isBusy())
   {
-    this->Patience->stop();
+    this->BusyTimer->stop();
     this->Progress->hide();
     this->Cancel->hide();
   }
-  else if (!this->Patience->isActive() && !this->Progress->isVisible())
+  else if (!this->BusyTimer->isActive() && !this->Progress->isVisible())
   {
-    this->Patience->start();
+    this->BusyTimer->start();
   }
   this->advise();
 }

@@ -175,7 +175,7 @@ private:
   QLabel* Mode;
   QProgressBar* Progress;
   QPushButton* Cancel;
-  QTimer* Patience; // progress is shown for what takes longer than a moment
+  QTimer* BusyTimer; // progress is shown for what takes longer than a moment
   QMenu *Recent = nullptr, *Examples = nullptr;
   OptionPresets* Presets = nullptr;
   QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
@@ -187,9 +187,9 @@ private:
   int Speaks = -1;                         // the row whose words are at the foot; -1: none
   std::map<int, oversketch::Message> Said; // by the rows' ids: what the last result had to say of each
   std::function<void()> OnAnyway;
-  bool Reset = false;
-  bool Takes = true;    // the chosen model, steps
-  bool Teaches = false; // hints, until a step has been drawn or the model turned
+  bool FrameOnNextMesh = false;
+  bool AcceptsSteps = true; // the chosen model, steps
+  bool ShowsHints = false;  // hints, until a step has been drawn or the model turned
 };
 
 } // namespace oversketch_studio

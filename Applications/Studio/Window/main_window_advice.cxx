@@ -36,7 +36,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 void MainWindow::teach()
 {
   const Tool* tool = this->View->tool();
-  if (this->Teaches && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
+  if (this->ShowsHints && !tool->draws() && !this->View->showsKeys() && this->View->hint() != tool->hint())
   {
     this->View->showHint(tool->hint(), tool->hintShape());
   }
@@ -44,7 +44,7 @@ void MainWindow::teach()
 
 void MainWindow::stopTeaching()
 {
-  this->Teaches = false;
+  this->ShowsHints = false;
   this->View->showHint({});
 }
 

@@ -12,8 +12,8 @@
 #include "picture_files.h"
 #include "pieces.h"
 #include "resources.h"
-#include "system_strings.h"
 #include "scene_panel.h"
+#include "system_strings.h"
 #include "tool.h"
 #include "viewport.h"
 
@@ -245,7 +245,7 @@ void MainWindow::openShippedModel()
   if (!path.isEmpty() &&
       this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); }))
   {
-    this->Teaches = true;
+    this->ShowsHints = true;
     this->teach();
   }
 }

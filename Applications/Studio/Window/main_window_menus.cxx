@@ -288,9 +288,9 @@ void MainWindow::makeStatus()
     &ViewMenu::told,
     this->statusBar(),
     [this](const QString& text) { this->statusBar()->showMessage(text); });
-  this->Patience->setSingleShot(true);
-  this->Patience->setInterval(wordPatience);
-  connect(this->Patience,
+  this->BusyTimer->setSingleShot(true);
+  this->BusyTimer->setInterval(wordPatience);
+  connect(this->BusyTimer,
     &QTimer::timeout,
     this,
     [this]

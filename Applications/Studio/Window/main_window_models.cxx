@@ -39,14 +39,14 @@ void MainWindow::listenToModels()
       follow();
       // No line of a model that takes no strokes can be taken hold of.
       const bool takes = this->OpenDocument->whyNoSteps().isEmpty();
-      if (takes != std::exchange(this->Takes, takes))
+      if (takes != std::exchange(this->AcceptsSteps, takes))
       {
         this->offerStep();
         this->chooseLine();
       }
     });
   connect(this->OpenDocument, &Document::opened, this, follow);
-  connect(this->OpenDocument, &Document::begun, this, [this] { this->Reset = true; });
+  connect(this->OpenDocument, &Document::begun, this, [this] { this->FrameOnNextMesh = true; });
   connect(this->OpenDocument,
     &Document::refused,
     this,

@@ -104,7 +104,7 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   connect(document, &Document::opened, this, &ViewMenu::showOnion);
   connect(document, &Document::changed, this, [this] { this->Before->setChecked(false); });
   connect(document,
-    &Document::glanced,
+    &Document::beforeCame,
     this,
     [this](const oversketch_session::SharedData& mesh)
     {
@@ -285,7 +285,7 @@ void ViewMenu::showBefore(bool shown)
   const int node = shown ? this->Node() : -1;
   if (node >= 0)
   {
-    this->Shown->glanceBefore(node);
+    this->Shown->requestBefore(node);
     emit this->told(
       tr("Before: %1").arg(QString::fromStdString(this->Shown->session().nodes[indexOf(node)].name)));
     return;
