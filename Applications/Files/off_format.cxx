@@ -31,12 +31,11 @@ namespace
 {
 
 // The numbers of an OFF file one after the other, as words or as big-endian words of four bytes.
-class Numbers
+class OffNumbers : public NumberFile
 {
 public:
-  explicit Numbers(const std::string& path)
-    : Path(path)
-    , Bytes(wholeFile(path))
+  explicit OffNumbers(const std::string& path)
+    : NumberFile(path)
   {
     Words words(this->Bytes);
     std::string_view line;
@@ -49,40 +48,27 @@ public:
     {
       this->refuse("is not an OFF file of points in space");
     }
-    this->Binary = first.next() == "BINARY";
-    this->At =
-      this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
     this->hasNormals = keyword.find('N') < at;
     this->hasCoordinates = keyword.find("ST") < at;
     this->hasColours = keyword.find('C') < at;
+    this->BigEndian = this->Binary = first.next() == "BINARY";
+    this->At =
+      this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
+    auto comment = this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->At);
+    while (!this->Binary && (comment = std::find(comment, this->Bytes.end(), '#')) != this->Bytes.end())
+    {
+      const auto end = std::find(comment, this->Bytes.end(), '\n');
+      std::fill(comment, end, ' ');
+      comment = end;
+    }
   }
 
-  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
-
-  double number()
-  {
-    if (this->Binary)
-    {
-      const std::uint32_t word = this->binary();
-      float value;
-      std::memcpy(&value, &word, 4);
-      return value;
-    }
-    const std::string_view word = this->word();
-    const std::optional<double> value = numberOf(word);
-    if (!value)
-    {
-      this->refuse(word.empty()
-                     ? "ends before all that its header announces; the file is truncated or damaged"
-                     : "holds " + inQuotes(word) + " where a number should be; the file is damaged");
-    }
-    return *value;
-  }
+  double number() { return this->NumberFile::number(VTK_FLOAT); }
 
   // A whole number from 0 to `most`; `what` is for the message.
   std::size_t whole(const char* what, std::size_t most = 2147483647)
   {
-    const double value = this->Binary ? static_cast<std::int32_t>(this->binary()) : this->number();
+    const double value = this->NumberFile::number(VTK_INT);
     if (!(value >= 0.0 && value <= static_cast<double>(most)) || value != std::floor(value))
     {
       std::ostringstream message;
@@ -110,7 +96,7 @@ public:
       }
       return values;
     }
-    const std::size_t end = std::min(this->Bytes.find_first_of("\n#", this->At), this->Bytes.size());
+    const std::size_t end = std::min(this->Bytes.find('\n', this->At), this->Bytes.size());
     const std::string_view line(this->Bytes.data() + this->At, end - this->At);
     std::vector<std::string_view> words;
     Words all(line);
@@ -130,43 +116,6 @@ public:
   }
 
   bool hasNormals = false, hasCoordinates = false, hasColours = false;
-
-private:
-  std::string_view word()
-  {
-    for (;;)
-    {
-      Words words(this->Bytes, this->At);
-      const std::string_view word = words.next();
-      if (word.empty() || word[0] != '#')
-      {
-        this->At = words.at();
-        return word;
-      }
-      const std::size_t end =
-        this->Bytes.find('\n', static_cast<std::size_t>(word.data() - this->Bytes.data()));
-      this->At = end == std::string::npos ? this->Bytes.size() : end;
-    }
-  }
-
-  std::uint32_t binary()
-  {
-    if (this->Bytes.size() - this->At < 4)
-    {
-      this->refuse("ends before all that its header announces; the file is truncated or damaged");
-    }
-    std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i)
-    {
-      value = value << 8 | static_cast<unsigned char>(this->Bytes[this->At++]);
-    }
-    return value;
-  }
-
-  std::string Path;
-  std::string Bytes;
-  std::size_t At = 0;
-  bool Binary = false;
 };
 
 // Colours as they come, three or four numbers each; some have none.
@@ -216,7 +165,7 @@ vtkSmartPointer<vtkDoubleArray> tuplesOf(const char* name, int components)
 }
 
 // The next tuple, where the file has such.
-void readOffTuple(Numbers& numbers, bool has, vtkDoubleArray* array)
+void readOffTuple(OffNumbers& numbers, bool has, vtkDoubleArray* array)
 {
   std::array<double, 3> tuple{};
   for (int k = 0; has && k < array->GetNumberOfComponents(); ++k)
@@ -233,7 +182,7 @@ void readOffTuple(Numbers& numbers, bool has, vtkDoubleArray* array)
 
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path, Notes& notes)
 {
-  Numbers numbers(path);
+  OffNumbers numbers(path);
   const std::size_t count = numbers.count("the number of its points");
   const std::size_t faces = numbers.count("the number of its faces");
   numbers.whole("the number of its edges");

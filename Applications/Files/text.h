@@ -1,9 +1,16 @@
-// Words and numbers of a text that a file holds.
+// Words and numbers that a file holds, as text or as bytes.
 #ifndef oversketch_applications_files_text_h
 #define oversketch_applications_files_text_h
 
+#include "files.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +56,14 @@ public:
     return true;
   }
 
+  // What follows up to the end, without white space around it.
+  std::string_view rest() const
+  {
+    const char* const space = " \t\r";
+    const std::size_t from = std::min(this->Text.find_first_not_of(space, this->At), this->Text.size());
+    return this->Text.substr(from, this->Text.find_last_not_of(space) + 1 - from);
+  }
+
   // Where the last word or line ended.
   std::size_t at() const { return this->At; }
 
@@ -76,6 +91,122 @@ inline std::string inQuotes(std::string_view word)
 {
   return "'" + std::string(word.substr(0, 24)) + (word.size() > 24 ? "…'" : "'");
 }
+
+// Several for a message: "one, two".
+template <typename List>
+std::string listed(const List& words)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    text += (text.empty() ? "" : ", ") + word;
+  }
+  return text;
+}
+
+inline std::string lowerCase(std::string_view word)
+{
+  std::string text(word);
+  std::transform(text.begin(),
+    text.end(),
+    text.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// An unsigned number of so many bytes; 0 beyond the end.
+inline std::uint64_t wholeAt(std::string_view bytes, std::uint64_t at, std::size_t size, bool bigEndian)
+{
+  std::uint64_t value = 0;
+  for (std::size_t k = 0; at <= bytes.size() && bytes.size() - at >= size && k < size; ++k)
+  {
+    value = value << 8 | static_cast<unsigned char>(bytes[at + (bigEndian ? k : size - 1 - k)]);
+  }
+  return value;
+}
+
+template <typename T>
+double loadedAs(const char* at)
+{
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return static_cast<double>(value);
+}
+
+// A number of VTK's type, which must lie there whole.
+inline double numberAt(const char* at, int type, bool bigEndian = false)
+{
+  char bytes[8] = {};
+  const int size = std::min(vtkDataArray::GetDataTypeSize(type), 8);
+  std::copy_n(at, size, bytes);
+  if (bigEndian)
+  {
+    std::reverse(bytes, bytes + size);
+  }
+  switch (type)
+  {
+    vtkTemplateMacro(return loadedAs<VTK_TT>(bytes));
+  }
+  return 0.0;
+}
+
+// Adds the bytes of a number.
+template <typename T>
+void put(std::string& bytes, T value)
+{
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+// A file of numbers one after the other, as words or as bytes.
+class NumberFile
+{
+public:
+  explicit NumberFile(const std::string& path)
+    : Path(path)
+    , Bytes(wholeFile(path))
+  {
+  }
+
+  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
+
+  // The next one, of VTK's type where it is bytes.
+  double number(int type)
+  {
+    if (this->Binary)
+    {
+      const auto size = static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(type));
+      if (this->Bytes.size() - this->At < size)
+      {
+        this->refuseEnd();
+      }
+      this->At += size;
+      return numberAt(this->Bytes.data() + this->At - size, type, this->BigEndian);
+    }
+    Words words(this->Bytes, this->At);
+    const std::string_view word = words.next();
+    this->At = words.at();
+    const std::optional<double> value = numberOf(word);
+    if (word.empty())
+    {
+      this->refuseEnd();
+    }
+    if (!value)
+    {
+      this->refuse("holds " + inQuotes(word) + " where a number should be; the file is damaged");
+    }
+    return *value;
+  }
+
+protected:
+  [[noreturn]] void refuseEnd() const
+  {
+    this->refuse("ends before all that its header announces; the file is truncated or damaged");
+  }
+
+  std::string Path, Bytes;
+  std::size_t At = 0;
+  bool Binary = false, BigEndian = false;
+};
 
 } // namespace oversketch_files
 #endif
