@@ -86,6 +86,20 @@ inline std::optional<double> numberOf(std::string_view word)
   return done.ec == std::errc() ? value : std::strtod(std::string(from, end).c_str(), nullptr);
 }
 
+// Whether it is a word of the list, which white space parts.
+inline bool isAmong(std::string_view word, std::string_view list)
+{
+  Words words(list);
+  for (std::string_view one = words.next(); !one.empty(); one = words.next())
+  {
+    if (one == word)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 // A word for a message, cut where it is long.
 inline std::string inQuotes(std::string_view word)
 {
