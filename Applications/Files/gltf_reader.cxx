@@ -1,11 +1,8 @@
 // The meshes of a glTF scene as one: nodes with their transforms, skins in their pose, morph targets by their
 // weights; and the picture of the base colour.
 #include "gltf_document.h"
-#include "gltf_materials.h"
-#include "gltf_part.h"
 #include "mesh_file.h"
-#include "pieces.h"
-#include "texture.h"
+#include "text.h"
 
 #include "vtkPointData.h"
 
@@ -20,16 +17,6 @@ namespace oversketch_files
 
 namespace
 {
-
-std::string joined(const std::set<std::string>& names)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 
 using Matrix = Eigen::Matrix4d;
 
@@ -464,14 +451,14 @@ vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& pat
   }
   if (!lost.empty())
   {
-    notes.push_back(path + ": what only some of its parts have is dropped: " + joined(lost));
+    notes.push_back(path + ": what only some of its parts have is dropped: " + listed(lost));
   }
   turnCoordinates(mesh->GetPointData());
   dress(document, parts, skin, mesh);
   addDropped(document, skin.dropped);
   if (!skin.dropped.empty())
   {
-    notes.push_back(path + ": not kept: " + joined(skin.dropped));
+    notes.push_back(path + ": not kept: " + listed(skin.dropped));
   }
   return mesh;
 }

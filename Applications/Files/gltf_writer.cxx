@@ -2,7 +2,6 @@
 #include "colours.h"
 #include "mesh_file.h"
 #include "point_normals.h"
-#include "precision.h"
 #include "sharp_edges.h"
 #include "texture.h"
 

@@ -26,11 +26,6 @@ const char* const heightsExtensions = ".png .tif .tiff .pgm .asc .vti";
 namespace
 {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why)
-{
-  throw Failed(name + ": " + why);
-}
-
 // Throws Failed unless a file of so many bytes can tell so many samples.
 void requireSize(const std::string& name, double width, double height, double room)
 {

@@ -1,7 +1,7 @@
 #include "kept_arrays.h"
 
 #include "colours.h"
-#include "pieces.h"
+#include "text.h"
 #include "texture.h"
 
 #include "vtkOversketchHierarchy.h"
@@ -133,14 +133,9 @@ void noteDropped(vtkPolyData* mesh, const std::string& format, std::set<vtkAbstr
       }
     }
   }
-  std::string names;
-  for (const std::string& word : words)
+  if (!words.empty())
   {
-    names += (names.empty() ? "" : ", ") + word;
-  }
-  if (!names.empty())
-  {
-    notes.push_back(format + " does not keep: " + names);
+    notes.push_back(format + " does not keep: " + listed(words));
   }
 }
 

@@ -250,9 +250,7 @@ void writeOffNumbers(std::ostream& stream, vtkDataArray* array, vtkIdType at, in
 {
   for (int k = 0; array && k < count; ++k)
   {
-    char text[32];
-    std::snprintf(text, sizeof text, " %.17g", array->GetComponent(at, k));
-    stream << text;
+    stream << ' ' << array->GetComponent(at, k);
   }
 }
 
@@ -283,14 +281,13 @@ void writeOff(vtkPolyData* mesh, const std::string& path)
   vtkDataArray* colours = coloursOf(mesh);
   vtkDataArray* ofFaces = faceColoursOf(mesh);
   stream << (coordinates ? "ST" : "") << (colours ? "C" : "") << (normals ? "N" : "") << "OFF\n"
-         << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
+         << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n"
+         << std::setprecision(17);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
     mesh->GetPoint(i, p);
-    char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g %.17g", p[0], p[1], p[2]);
-    stream << text;
+    stream << p[0] << ' ' << p[1] << ' ' << p[2];
     writeOffNumbers(stream, normals, i, 3);
     writeOffColour(stream, colours, i);
     writeOffNumbers(stream, coordinates, i, 2);

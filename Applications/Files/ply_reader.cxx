@@ -369,12 +369,7 @@ void dressPly(const PlyDocument& file,
   for (const std::string& name : file.pictures())
   {
     const auto beside = std::filesystem::absolute(path).parent_path() / name;
-    pictures.push_back(wholeFile(beside.string()));
-    if (!pictureOf(pictures.back()))
-    {
-      pictures.back().clear();
-      notes.push_back(path + ": the picture " + printable(name) + " is " + notAPicture);
-    }
+    pictures.push_back(pictureIn(beside.string(), name, path, notes));
   }
   if (pictures.empty())
   {

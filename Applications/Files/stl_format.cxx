@@ -28,11 +28,6 @@ namespace
 
 using StlCorner = std::array<double, 3>;
 
-[[noreturn]] void refuseStl(const std::string& path, const std::string& why)
-{
-  throw Failed(path + ": " + why);
-}
-
 std::size_t triangleCount(const std::string& bytes)
 {
   return wholeAt(bytes, 80, 4, false);
@@ -51,7 +46,7 @@ std::vector<StlCorner> binaryCorners(const std::string& path, const std::string&
   const std::size_t count = triangleCount(bytes);
   if (bytes.size() < 84 || (bytes.size() - 84) / 50 < count)
   {
-    refuseStl(path,
+    refuse(path,
       "announces " + std::to_string(count) +
         " triangles, but ends before; the file is truncated or not an STL file");
   }
@@ -108,7 +103,7 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
     ended = keyword == "endsolid" || (ended && keyword.empty());
     if ((keyword == "facet" || keyword == "endfacet" || keyword == "endsolid") && corners.size() % 3 != 0)
     {
-      refuseStl(path, "the triangle before " + where + " has not three corners; the file is damaged");
+      refuse(path, "the triangle before " + where + " has not three corners; the file is damaged");
     }
     if (keyword != "vertex")
     {
@@ -121,7 +116,7 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
       const std::optional<double> value = numberOf(word);
       if (!value)
       {
-        refuseStl(path, where + " has " + inQuotes(word) + " where a number should be; the file is damaged");
+        refuse(path, where + " has " + inQuotes(word) + " where a number should be; the file is damaged");
       }
       x = *value;
     }
@@ -129,14 +124,14 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
   }
   if (!ended)
   {
-    refuseStl(path, "ends without endsolid; the file is truncated");
+    refuse(path, "ends without endsolid; the file is truncated");
   }
   return corners;
 }
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readStl(const std::string& path)
+vtkSmartPointer<vtkPolyData> readStl(const std::string& path, Notes&)
 {
   const std::string bytes = wholeFile(path);
   const bool binary = isBinary(bytes);
@@ -155,7 +150,7 @@ vtkSmartPointer<vtkPolyData> readStl(const std::string& path)
       const StlCorner& corner = corners[i + k];
       if (!std::isfinite(corner[0]) || !std::isfinite(corner[1]) || !std::isfinite(corner[2]))
       {
-        refuseStl(
+        refuse(
           path, "triangle " + std::to_string(i / 3) + " has a corner that is not finite; repair the file");
       }
       const auto [it, isNew] = known.emplace(corner, points->GetNumberOfPoints());

@@ -106,6 +106,11 @@ inline std::string inQuotes(std::string_view word)
   return "'" + std::string(word.substr(0, 24)) + (word.size() > 24 ? "…'" : "'");
 }
 
+[[noreturn]] inline void refuse(const std::string& path, const std::string& why)
+{
+  throw Failed(path + ": " + why);
+}
+
 // Several for a message: "one, two".
 template <typename List>
 std::string listed(const List& words)
@@ -137,6 +142,35 @@ inline std::uint64_t wholeAt(std::string_view bytes, std::uint64_t at, std::size
     value = value << 8 | static_cast<unsigned char>(bytes[at + (bigEndian ? k : size - 1 - k)]);
   }
   return value;
+}
+
+// The bytes that base64 text tells, up to its first padding or foreign character; white space is passed by.
+inline std::string bytesOfBase64(std::string_view text, std::size_t most)
+{
+  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text)
+  {
+    const std::size_t value = std::isspace(static_cast<unsigned char>(c)) != 0 ? 64 : letters.find(c);
+    if (value == std::string::npos || bytes.size() >= most)
+    {
+      break;
+    }
+    if (value == 64)
+    {
+      continue;
+    }
+    bits = bits << 6 | static_cast<std::uint32_t>(value);
+    count += 6;
+    if (count >= 8)
+    {
+      count -= 8;
+      bytes += static_cast<char>(bits >> count & 0xff);
+    }
+  }
+  return bytes;
 }
 
 template <typename T>

@@ -154,4 +154,18 @@ vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
   return format == "jpeg" && isPlausible(width, height, bytes.size()) ? readJpeg(bytes) : nullptr;
 }
 
+std::string pictureIn(const std::string& file,
+  const std::string& name,
+  const std::string& path,
+  std::vector<std::string>& notes)
+{
+  std::string bytes = wholeFile(file);
+  if (!pictureOf(bytes))
+  {
+    bytes.clear();
+    notes.push_back(path + ": the picture " + printable(name) + " is " + notAPicture);
+  }
+  return bytes;
+}
+
 } // namespace oversketch_files
