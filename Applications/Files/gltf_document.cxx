@@ -1,6 +1,6 @@
 #include "gltf_document.h"
 
-#include "text.h"
+#include "number_file.h"
 
 #include <cstdlib>
 #include <memory>

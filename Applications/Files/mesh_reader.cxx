@@ -2,10 +2,10 @@
 #include "text.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -59,27 +59,25 @@ vtkSmartPointer<vtkPolyData> withoutQuads(vtkPolyData* mesh)
   arrays->CopyAllocate(mesh->GetCellData(), 2 * mesh->GetNumberOfPolys());
   const auto add = [&](vtkIdType from, vtkIdType size, const vtkIdType* ids)
   { arrays->CopyData(mesh->GetCellData(), from, polygons->InsertNextCell(size, ids)); };
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    if (size != 4)
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    if (ids->GetNumberOfIds() != 4)
     {
-      add(it->GetCurrentCellId(), size, ids);
+      add(face, ids->GetNumberOfIds(), ids->begin());
       continue;
     }
-    std::array<vtkIdType, 4> corners{ ids[0], ids[1], ids[2], ids[3] };
-    const std::array<vtkIdType, 4> turned{ ids[1], ids[2], ids[3], ids[0] };
+    std::array<vtkIdType, 4> corners{ ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) };
+    const std::array<vtkIdType, 4> turned{ corners[1], corners[2], corners[3], corners[0] };
     if (alike(mesh, turned) > alike(mesh, corners))
     {
       corners = turned;
     }
     const vtkIdType halves[2][3] = { { corners[0], corners[1], corners[2] },
       { corners[0], corners[2], corners[3] } };
-    add(it->GetCurrentCellId(), 3, halves[0]);
-    add(it->GetCurrentCellId(), 3, halves[1]);
+    add(face, 3, halves[0]);
+    add(face, 3, halves[1]);
   }
   cut->SetPoints(mesh->GetPoints());
   cut->SetPolys(polygons);
@@ -127,15 +125,13 @@ void requireSound(const std::string& path, vtkPolyData* mesh)
       throw Failed(
         path + ": its cells do not fit together (offsets beyond the connectivity); the file is damaged");
     }
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(size, ids);
-      if (std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
+      cells->GetCellAtId(cell, ids);
+      if (std::any_of(ids->begin(), ids->end(), [points](vtkIdType id) { return id < 0 || id >= points; }))
       {
-        throw Failed(path + ": cell " + std::to_string(it->GetCurrentCellId()) +
+        throw Failed(path + ": cell " + std::to_string(cell) +
                      " names a point that does not exist; the file is damaged");
       }
     }
@@ -152,18 +148,14 @@ vtkSmartPointer<vtkPolyData> trianglesOf(const std::string& path, vtkPolyData* m
   const vtkIdType others = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   const vtkIdType strips = mesh->GetNumberOfStrips();
   bool triangles = true;
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
+    const vtkIdType size = mesh->GetPolys()->GetCellSize(face);
     triangles = triangles && size == 3;
     if (size > mostCorners)
     {
-      throw Failed(path + ": its polygon " + std::to_string(it->GetCurrentCellId()) + " has " +
-                   std::to_string(size) + " corners; at most " + std::to_string(mostCorners) +
-                   " are triangulated: split it");
+      throw Failed(path + ": its polygon " + std::to_string(face) + " has " + std::to_string(size) +
+                   " corners; at most " + std::to_string(mostCorners) + " are triangulated: split it");
     }
   }
   if (triangles && others + strips == 0)

@@ -6,10 +6,11 @@
 #include "texture.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
@@ -133,24 +134,23 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   {
     stream << "usemtl " << material << '\n';
   }
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    groups.write(stream, it->GetCurrentCellId());
+    groups.write(stream, face);
     if (material.empty())
     {
-      materials.write(stream, it->GetCurrentCellId());
+      materials.write(stream, face);
     }
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
+    mesh->GetPolys()->GetCellAtId(face, ids);
     stream << 'f';
     const bool textured =
-      textures && !std::all_of(ids, ids + size, [textures](vtkIdType id) { return isNowhere(textures, id); });
-    for (vtkIdType k = 0; k < size; ++k)
+      textures &&
+      !std::all_of(ids->begin(), ids->end(), [textures](vtkIdType id) { return isNowhere(textures, id); });
+    for (const vtkIdType id : *ids)
     {
-      const vtkIdType point = before.points + ids[k] + 1;
-      stream << ' ' << position[static_cast<std::size_t>(ids[k])];
+      const vtkIdType point = before.points + id + 1;
+      stream << ' ' << position[static_cast<std::size_t>(id)];
       if (textured || normals)
       {
         stream << '/';

@@ -3,13 +3,13 @@
 // a bad word.
 #include "colours.h"
 #include "mesh_file.h"
-#include "text.h"
+#include "number_file.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -293,18 +293,16 @@ void writeOff(vtkPolyData* mesh, const std::string& path)
     writeOffNumbers(stream, coordinates, i, 2);
     stream << '\n';
   }
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    stream << size;
-    for (vtkIdType k = 0; k < size; ++k)
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    stream << ids->GetNumberOfIds();
+    for (const vtkIdType id : *ids)
     {
-      stream << ' ' << ids[k];
+      stream << ' ' << id;
     }
-    writeOffColour(stream, ofFaces, it->GetCurrentCellId());
+    writeOffColour(stream, ofFaces, face);
     stream << '\n';
   }
   closeWhole(stream, path);

@@ -2,7 +2,7 @@
 #ifndef oversketch_applications_files_ply_document_h
 #define oversketch_applications_files_ply_document_h
 
-#include "text.h"
+#include "number_file.h"
 
 #include <initializer_list>
 #include <vector>
