@@ -65,6 +65,13 @@ bool areBytes(vtkDataArray* colours)
   return colours->GetDataType() == VTK_UNSIGNED_CHAR;
 }
 
+vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
+{
+  return array && array->GetNumberOfComponents() >= components && array->GetNumberOfTuples() == count
+           ? array
+           : nullptr;
+}
+
 double colourShare(vtkDataArray* colours, vtkIdType at, int component)
 {
   return component >= colours->GetNumberOfComponents()

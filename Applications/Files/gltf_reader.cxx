@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace oversketch_files
@@ -348,10 +349,8 @@ GltfPart partOf(GltfDocument& document, const Json::Value& primitive, const std:
   }
   else
   {
-    for (std::size_t i = 0; i < points; ++i)
-    {
-      ids.push_back(static_cast<vtkIdType>(i));
-    }
+    ids.resize(points);
+    std::iota(ids.begin(), ids.end(), vtkIdType{ 0 });
   }
   part.corners = trianglesOf(ids, primitive["mode"].isInt() ? primitive["mode"].asInt() : 4);
   return part;

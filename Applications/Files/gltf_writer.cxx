@@ -76,14 +76,15 @@ struct Builder
   }
 };
 
-std::vector<float> floatsOf(vtkDataArray* array, int components)
+// The first components of an array, from an origin.
+std::vector<float> floatsOf(vtkDataArray* array, int components, const std::array<double, 3>& origin = {})
 {
   std::vector<float> values;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < components; ++c)
     {
-      values.push_back(static_cast<float>(array->GetComponent(i, c)));
+      values.push_back(static_cast<float>(array->GetComponent(i, c) - origin[static_cast<std::size_t>(c)]));
     }
   }
   return values;
@@ -96,21 +97,6 @@ std::string base64(const std::string& bytes)
     static_cast<unsigned long>(bytes.size()),
     text.data());
   return std::string(reinterpret_cast<const char*>(text.data()), length);
-}
-
-std::vector<float> positionsOf(vtkPolyData* mesh, const std::array<double, 3>& origin)
-{
-  std::vector<float> values;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    mesh->GetPoint(i, p);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      values.push_back(static_cast<float>(p[k] - origin[k]));
-    }
-  }
-  return values;
 }
 
 // With normals, without which a reader has to show each triangle flat; where the mesh has none, with points
@@ -127,7 +113,8 @@ Json::Value primitiveOf(Builder& builder, vtkPolyData* mesh, const std::array<do
   Json::Value primitive;
   primitive["mode"] = 4;
   Json::Value& attributes = primitive["attributes"];
-  const std::vector<float> positions = positionsOf(mesh, origin);
+  const std::vector<float> positions =
+    floatsOf(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, 3, origin);
   const int places = builder.add(positions, 3);
   attributes["POSITION"] = places;
   std::array<float, 3> low{ FLT_MAX, FLT_MAX, FLT_MAX }, high{ -FLT_MAX, -FLT_MAX, -FLT_MAX };

@@ -26,13 +26,13 @@ namespace oversketch_files
 namespace
 {
 
-template <typename Writer>
-void finish(Writer* writer, const std::string& path)
+void writeVtp(vtkPolyData* mesh, const std::string& path)
 {
-  takeError();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(mesh);
   writer->SetFileName(path.c_str());
-  const int done = writer->Write();
-  if (!done || writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
+  takeError();
+  if (!writer->Write() || writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
   {
     throw Failed(path + ": could not be written (is the disk full?)");
   }
@@ -103,12 +103,10 @@ PlyPictures picturesBeside(vtkPolyData* mesh, const std::string& path, NewFiles&
 }
 
 // What single precision, which some formats hold alone, costs far from the origin.
-constexpr double seenShare = 1e-4; // of the size
-
 // As a share of the mesh's size, too; "" up to 1e-4 of that, which nobody sees.
 std::string inWords(double distance, double size)
 {
-  if (!(size > 0.0 && distance > seenShare * size))
+  if (!(size > 0.0 && distance > 1e-4 * size))
   {
     return {};
   }
@@ -279,12 +277,7 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   std::function<void(const std::string&)> write;
   if (extension == ".vtp")
   {
-    write = [&](const std::string& file)
-    {
-      vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetInputData(mesh);
-      finish(writer.Get(), file);
-    };
+    write = [&](const std::string& file) { writeVtp(mesh, file); };
   }
   else if (extension == ".obj")
   {

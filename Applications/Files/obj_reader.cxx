@@ -141,14 +141,8 @@ private:
       for (int k = 0; k < components[kind]; ++k)
       {
         const std::string_view word = words.next();
-        const std::optional<double> value = numberOf(word);
-        // A texture of one dimension has one coordinate.
-        if (!value && !(kind == Coordinate && k == 1 && word.empty()))
-        {
-          this->refuse(this->where() + (word.empty() ? " ends" : " has " + inQuotes(word)) +
-                       " where a number should be; the file is damaged");
-        }
-        this->values[kind].push_back(value.value_or(0.0));
+        const bool isNone = kind == Coordinate && k == 1 && word.empty(); // of a texture of one dimension
+        this->values[kind].push_back(isNone ? 0.0 : numberIn(word, this->Path, this->Line));
       }
       if (kind == Vertex)
       {
@@ -190,13 +184,7 @@ private:
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#' && known < 4;
          word = words.next())
     {
-      const std::optional<double> value = numberOf(word);
-      if (!value)
-      {
-        this->refuse(
-          this->where() + " has " + inQuotes(word) + " where a number should be; the file is damaged");
-      }
-      colour[known++] = *value;
+      colour[known++] = numberIn(word, this->Path, this->Line);
     }
     if (known >= 3)
     {

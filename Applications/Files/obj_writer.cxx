@@ -47,13 +47,6 @@ void writeObjColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
   }
 }
 
-vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
-{
-  return array && array->GetNumberOfComponents() >= components && array->GetNumberOfTuples() == count
-           ? array
-           : nullptr;
-}
-
 // Materials or groups, which a line of the file gives to the faces after it.
 class Marks
 {

@@ -266,18 +266,13 @@ void writeOffColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
   }
 }
 
-vtkDataArray* ofComponents(vtkDataArray* array, int components)
-{
-  return array && array->GetNumberOfComponents() >= components ? array : nullptr;
-}
-
 } // namespace
 
 void writeOff(vtkPolyData* mesh, const std::string& path)
 {
   std::ofstream stream(path, std::ios::binary);
-  vtkDataArray* normals = ofComponents(mesh->GetPointData()->GetNormals(), 3);
-  vtkDataArray* coordinates = ofComponents(mesh->GetPointData()->GetTCoords(), 2);
+  vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, mesh->GetNumberOfPoints());
+  vtkDataArray* coordinates = usable(mesh->GetPointData()->GetTCoords(), 2, mesh->GetNumberOfPoints());
   vtkDataArray* colours = coloursOf(mesh);
   vtkDataArray* ofFaces = faceColoursOf(mesh);
   stream << (coordinates ? "ST" : "") << (colours ? "C" : "") << (normals ? "N" : "") << "OFF\n"

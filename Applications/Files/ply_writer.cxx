@@ -144,8 +144,7 @@ std::vector<PlyColumn> faceColumns(vtkPolyData* mesh)
 
 vtkDataArray* coordinatesOf(vtkPolyData* mesh)
 {
-  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
-  return coordinates && coordinates->GetNumberOfComponents() >= 2 ? coordinates : nullptr;
+  return usable(mesh->GetPointData()->GetTCoords(), 2, mesh->GetNumberOfPoints());
 }
 
 // The points as vertices.

@@ -95,7 +95,7 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
   Words words(text);
   std::string_view line;
   bool ended = false; // with "endsolid"
-  for (std::size_t number = 1; words.line(line); ++number)
+  for (long number = 1; words.line(line); ++number)
   {
     const std::string where = "line " + std::to_string(number);
     Words in(line);
@@ -112,13 +112,7 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
     StlCorner corner{};
     for (double& x : corner)
     {
-      const std::string_view word = in.next();
-      const std::optional<double> value = numberOf(word);
-      if (!value)
-      {
-        refuse(path, where + " has " + inQuotes(word) + " where a number should be; the file is damaged");
-      }
-      x = *value;
+      x = numberIn(in.next(), path, number);
     }
     corners.push_back(corner);
   }

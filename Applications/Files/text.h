@@ -109,6 +109,19 @@ inline std::string inQuotes(std::string_view word)
   throw Failed(path + ": " + why);
 }
 
+// The number that a word of a line is.
+inline double numberIn(std::string_view word, const std::string& path, long line)
+{
+  const std::optional<double> value = numberOf(word);
+  if (!value)
+  {
+    refuse(path,
+      "line " + std::to_string(line) + (word.empty() ? " ends" : " has " + inQuotes(word)) +
+        " where a number should be; the file is damaged");
+  }
+  return *value;
+}
+
 // Several for a message: "one, two".
 template <typename List>
 std::string listed(const List& words)

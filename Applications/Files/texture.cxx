@@ -52,20 +52,6 @@ std::array<std::uint64_t, 2> sizeOfJpeg(const std::string& bytes)
   return { 0, 0 };
 }
 
-// Its errors are heard from itself: those that the process takes (takeError) may be another thread's.
-vtkSmartPointer<vtkImageData> updated(vtkImageReader2* reader)
-{
-  bool failed = false;
-  vtkNew<vtkCallbackCommand> hears;
-  hears->SetClientData(&failed);
-  hears->SetCallback([](vtkObject*, unsigned long, void* to, void*) { *static_cast<bool*>(to) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, hears);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, hears);
-  reader->Update();
-  const bool good = !failed && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
-  return good ? reader->GetOutput() : nullptr;
-}
-
 // By libpng's own simple interface: vtkPNGReader of VTK 9.1 crashes on most pictures that libpng refuses.
 vtkSmartPointer<vtkImageData> readPng(const std::string& bytes)
 {
@@ -92,7 +78,7 @@ vtkSmartPointer<vtkImageData> readPng(const std::string& bytes)
 }
 
 // From a file that lies in memory: of bytes in memory vtkJPEGReader reads on behind the end where a length is
-// wrong.
+// wrong. Its errors are heard from itself: those that the process takes (takeError) may be another thread's.
 vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
 {
   const int file = ::memfd_create("oversketch.jpeg", MFD_CLOEXEC);
@@ -100,15 +86,21 @@ vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
   stream.close();
-  vtkSmartPointer<vtkImageData> image;
-  if (file >= 0 && stream)
+  bool failed = file < 0 || !stream;
+  vtkNew<vtkCallbackCommand> hears;
+  hears->SetClientData(&failed);
+  hears->SetCallback([](vtkObject*, unsigned long, void* to, void*) { *static_cast<bool*>(to) = true; });
+  vtkNew<vtkJPEGReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, hears);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, hears);
+  reader->SetFileName(path.c_str());
+  if (!failed)
   {
-    vtkNew<vtkJPEGReader> reader;
-    reader->SetFileName(path.c_str());
-    image = updated(reader);
+    reader->Update();
   }
   ::close(file);
-  return image;
+  const bool good = !failed && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
+  return good ? reader->GetOutput() : nullptr;
 }
 
 } // namespace
