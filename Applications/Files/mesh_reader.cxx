@@ -206,8 +206,8 @@ vtkSmartPointer<vtkPolyData> soundTriangles(const std::string& path, vtkPolyData
 vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
 {
   requireReadable(path);
-  using Reader = vtkSmartPointer<vtkPolyData> (*)(const std::string&, Notes&);
-  static const std::map<std::string, Reader> readers = { { ".obj", readObj },
+  using Read = vtkSmartPointer<vtkPolyData> (*)(const std::string&, Notes&);
+  static const std::map<std::string, Read> readers = { { ".obj", readObj },
     { ".ply", readPly },
     { ".stl", readStl },
     { ".off", readOff },

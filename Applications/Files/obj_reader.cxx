@@ -142,7 +142,7 @@ private:
       {
         const std::string_view word = words.next();
         const bool isNone = kind == Coordinate && k == 1 && word.empty(); // of a texture of one dimension
-        this->values[kind].push_back(isNone ? 0.0 : numberIn(word, this->Path, this->Line));
+        this->values[kind].push_back(isNone ? 0.0 : numberOf(word, this->Path, this->Line));
       }
       if (kind == Vertex)
       {
@@ -184,7 +184,7 @@ private:
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#' && known < 4;
          word = words.next())
     {
-      colour[known++] = numberIn(word, this->Path, this->Line);
+      colour[known++] = numberOf(word, this->Path, this->Line);
     }
     if (known >= 3)
     {

@@ -112,7 +112,7 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
     StlCorner corner{};
     for (double& x : corner)
     {
-      x = numberIn(in.next(), path, number);
+      x = numberOf(in.next(), path, number);
     }
     corners.push_back(corner);
   }

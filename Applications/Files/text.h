@@ -110,7 +110,7 @@ inline std::string inQuotes(std::string_view word)
 }
 
 // The number that a word of a line is.
-inline double numberIn(std::string_view word, const std::string& path, long line)
+inline double numberOf(std::string_view word, const std::string& path, long line)
 {
   const std::optional<double> value = numberOf(word);
   if (!value)

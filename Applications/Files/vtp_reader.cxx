@@ -21,7 +21,6 @@
 #include "vtkZLibDataCompressor.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <limits>
