@@ -76,10 +76,8 @@ private:
   std::size_t Size = 0, Spent = 0;
 };
 
-// The pictures of base colours that materials give to a mesh, and how these lie on it (gltf_materials.cxx).
-
-// The picture of a material: which, on which set of texture coordinates, and what moves those
-// (KHR_texture_transform).
+// The picture of a material's base colour: which, on which set of texture coordinates, and what moves those
+// (KHR_texture_transform). This and what follows up to soundPicture: gltf_materials.cxx.
 struct GltfTexture
 {
   Json::Value picture; // null for none

@@ -81,8 +81,7 @@ void writeGltf(const std::vector<Piece>& pieces,
   const std::string& path,
   bool binary);
 
-// Quads as pairs of triangles, for formats and filters that know no others. How many triangles the polygons
-// of a mesh make.
+// Number of triangles that the polygons of a mesh make.
 vtkIdType trianglesIn(vtkPolyData* mesh);
 // The mesh with each quad cut along the diagonal whose triangles face more alike, of two the first. Unlike
 // vtkTriangleFilter it leaves none out: narrow ones are faces of a closed surface, too. Other polygons and

@@ -102,8 +102,7 @@ PlyPictures picturesBeside(vtkPolyData* mesh, const std::string& path, NewFiles&
   return pictures;
 }
 
-// What single precision, which some formats hold alone, costs far from the origin.
-// As a share of the mesh's size, too; "" up to 1e-4 of that, which nobody sees.
+// Words for a distance, with its share of the mesh's size; "" up to 1e-4 of that, which nobody sees.
 std::string inWords(double distance, double size)
 {
   if (!(size > 0.0 && distance > 1e-4 * size))

@@ -122,7 +122,7 @@ inline double numberOf(std::string_view word, const std::string& path, long line
   return *value;
 }
 
-// Several for a message: "one, two".
+// List of words for a message: "one, two".
 template <typename List>
 std::string listed(const List& words)
 {
