@@ -2,10 +2,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFloatArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +65,13 @@ bool areBytes(vtkDataArray* colours)
   return colours->GetDataType() == VTK_UNSIGNED_CHAR;
 }
 
+vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
+{
+  return array && array->GetNumberOfComponents() >= components && array->GetNumberOfTuples() == count
+           ? array
+           : nullptr;
+}
+
 double colourShare(vtkDataArray* colours, vtkIdType at, int component)
 {
   return component >= colours->GetNumberOfComponents()
@@ -86,15 +90,8 @@ void setColours(vtkDataSetAttributes* data, const std::vector<double>& values, i
   const bool bytes = std::all_of(values.begin(),
     values.end(),
     [](double value) { return std::abs(255.0 * value - std::round(255.0 * value)) < 1e-3; });
-  vtkSmartPointer<vtkDataArray> array;
-  if (bytes)
-  {
-    array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  }
-  else
-  {
-    array = vtkSmartPointer<vtkFloatArray>::New();
-  }
+  const auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(bytes ? VTK_UNSIGNED_CHAR : VTK_FLOAT));
   array->SetName(components == 4 ? "RGBA" : "RGB");
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()) / components);

@@ -23,6 +23,9 @@ double colourShare(vtkDataArray* colours, vtkIdType at, int component);
 // Whether they are bytes.
 bool areBytes(vtkDataArray* colours);
 
+// The array where it has so many components or more, and so many tuples; else null.
+vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count);
+
 // Makes values from 0 to 1, so many components each, the colours of those points or faces.
 void setColours(vtkDataSetAttributes* data, const std::vector<double>& values, int components);
 

@@ -1,14 +1,8 @@
 #include "gltf_document.h"
 
-#include "files.h"
+#include "number_file.h"
 
-#include "vtkBase64Utilities.h"
-
-#include <algorithm>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <limits>
 #include <memory>
 
 namespace fs = std::filesystem;
@@ -18,16 +12,6 @@ namespace oversketch_files
 
 namespace
 {
-
-std::uint32_t word(const std::string& bytes, std::size_t at)
-{
-  std::uint32_t value = 0;
-  if (at + 4 <= bytes.size())
-  {
-    std::memcpy(&value, bytes.data() + at, 4);
-  }
-  return value;
-}
 
 // "%20" to " ".
 std::string unescaped(const std::string& uri)
@@ -48,51 +32,14 @@ std::string unescaped(const std::string& uri)
   return text;
 }
 
-// Bytes of a component, 0 for an unknown type.
-std::size_t sizeOf(int type)
+// VTK's type of a component, VTK_VOID for an unknown one.
+int gltfTypeOf(const Json::Value& component)
 {
-  switch (type)
-  {
-    case 5120: // signed and unsigned byte
-    case 5121:
-      return 1;
-    case 5122: // signed and unsigned short
-    case 5123:
-      return 2;
-    case 5125: // unsigned int, float
-    case 5126:
-      return 4;
-    default:
-      return 0;
-  }
-}
-
-template <typename T>
-double loaded(const char* at, bool isNormalized)
-{
-  T value;
-  std::memcpy(&value, at, sizeof value);
-  const double number = static_cast<double>(value);
-  return isNormalized ? std::max(number / static_cast<double>(std::numeric_limits<T>::max()), -1.0) : number;
-}
-
-double numberAt(const char* at, int type, bool isNormalized)
-{
-  switch (type)
-  {
-    case 5120:
-      return loaded<std::int8_t>(at, isNormalized);
-    case 5121:
-      return loaded<std::uint8_t>(at, isNormalized);
-    case 5122:
-      return loaded<std::int16_t>(at, isNormalized);
-    case 5123:
-      return loaded<std::uint16_t>(at, isNormalized);
-    case 5125:
-      return loaded<std::uint32_t>(at, isNormalized);
-    default:
-      return loaded<float>(at, false);
-  }
+  constexpr int first = 5120, types[] = {
+    VTK_SIGNED_CHAR, VTK_UNSIGNED_CHAR, VTK_SHORT, VTK_UNSIGNED_SHORT, VTK_VOID, VTK_UNSIGNED_INT, VTK_FLOAT
+  };
+  const int at = component.isInt() ? component.asInt() - first : -1;
+  return at >= 0 && at < static_cast<int>(std::size(types)) ? types[at] : VTK_VOID;
 }
 
 } // namespace
@@ -106,11 +53,11 @@ GltfDocument::GltfDocument(const std::string& path)
   if (text.compare(0, 4, "glTF") == 0)
   {
     const std::string all = std::move(text);
-    const std::size_t length = word(all, 12), next = 20 + length;
+    const std::size_t length = wholeAt(all, 12, 4, false), next = 20 + length;
     text = all.substr(std::min<std::size_t>(20, all.size()), length);
     if (next + 8 <= all.size())
     {
-      this->Binary = all.substr(next + 8, word(all, next));
+      this->Binary = all.substr(next + 8, wholeAt(all, next, 4, false));
     }
   }
   std::string why;
@@ -209,13 +156,7 @@ std::string GltfDocument::resolved(const std::string& uri) const
   {
     return {};
   }
-  const std::string code = uri.substr(comma + 1);
-  std::string bytes(code.size(), '\0');
-  bytes.resize(vtkBase64Utilities::DecodeSafely(reinterpret_cast<const unsigned char*>(code.data()),
-    code.size(),
-    reinterpret_cast<unsigned char*>(bytes.data()),
-    bytes.size()));
-  return bytes;
+  return bytesOfBase64(std::string_view(uri).substr(comma + 1), uri.size());
 }
 
 const char* GltfDocument::viewed(const Json::Value& index,
@@ -249,7 +190,8 @@ void GltfDocument::readInto(const Json::Value& description,
   const std::string& where,
   std::vector<double>& values)
 {
-  const std::size_t bytes = sizeOf(type) * components;
+  const auto size = static_cast<std::size_t>(vtkDataArray::GetDataTypeSize(type)), bytes = size * components;
+  const double largest = isNormalized && type != VTK_FLOAT ? vtkDataArray::GetDataTypeMax(type) : 0.0;
   const Json::Value& view = this->at("bufferViews", description["bufferView"]);
   const std::size_t stride = view.isMember("byteStride") ? this->whole(view, "byteStride", where) : bytes;
   const std::size_t offset =
@@ -268,7 +210,8 @@ void GltfDocument::readInto(const Json::Value& description,
   {
     for (std::size_t k = 0; k < components; ++k)
     {
-      values[i * components + k] = numberAt(first + i * stride + k * sizeOf(type), type, isNormalized);
+      const double number = numberAt(first + i * stride + k * size, type);
+      values[i * components + k] = largest > 0.0 ? std::max(number / largest, -1.0) : number;
     }
   }
 }
@@ -281,8 +224,8 @@ GltfNumbers GltfDocument::numbers(const Json::Value& index)
   const Json::Value& accessor = this->at("accessors", index);
   const std::string where = "its accessors " + std::to_string(index.asUInt());
   const auto form = types.find(accessor["type"].isString() ? accessor["type"].asString() : "");
-  const int type = accessor["componentType"].isInt() ? accessor["componentType"].asInt() : 0;
-  if (form == types.end() || sizeOf(type) == 0)
+  const int type = gltfTypeOf(accessor["componentType"]);
+  if (form == types.end() || type == VTK_VOID)
   {
     this->refuse(where + ": type or componentType is unknown; the file is damaged");
   }
@@ -310,9 +253,8 @@ GltfNumbers GltfDocument::numbers(const Json::Value& index)
   if (sparse.isObject())
   {
     const std::size_t count = this->whole(sparse, "count", where);
-    const int indexType =
-      sparse["indices"]["componentType"].isInt() ? sparse["indices"]["componentType"].asInt() : 0;
-    if (count > numbers.count || sizeOf(indexType) == 0)
+    const int indexType = gltfTypeOf(sparse["indices"]["componentType"]);
+    if (count > numbers.count || indexType == VTK_VOID)
     {
       this->refuse(where + ": its sparse part does not fit; the file is damaged");
     }

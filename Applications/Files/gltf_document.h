@@ -4,11 +4,15 @@
 #ifndef oversketch_applications_files_gltf_document_h
 #define oversketch_applications_files_gltf_document_h
 
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtk_jsoncpp.h"
 
-#include <array>
+#include <Eigen/Geometry>
+
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -71,6 +75,47 @@ private:
   std::map<unsigned, std::string> Buffers;
   std::size_t Size = 0, Spent = 0;
 };
+
+// The picture of a material's base colour: which, on which set of texture coordinates, and what moves those
+// (KHR_texture_transform). This and what follows up to soundPicture: gltf_materials.cxx.
+struct GltfTexture
+{
+  Json::Value picture; // null for none
+  unsigned set = 0;
+  Eigen::Affine2d placed = Eigen::Affine2d::Identity();
+};
+
+struct GltfSkin
+{
+  std::map<Json::Value, GltfTexture> textures; // of the primitives' materials; null for none
+  std::set<std::string> dropped;               // what is not kept, in a user's words
+};
+
+// What stands for a primitive's material in them.
+Json::Value materialOf(const GltfDocument& document, const Json::Value& primitive);
+
+GltfSkin skinOf(const GltfDocument& document);
+
+// Throws Failed where the document requires an extension that is not read, as its standard asks.
+void requireKnownExtensions(const GltfDocument& document);
+
+// Adds what the document has beside meshes and materials.
+void addDropped(const GltfDocument& document, std::set<std::string>& dropped);
+
+// The bytes of a picture. Throws Failed where it cannot be read.
+std::string soundPicture(GltfDocument& document, const Json::Value& index);
+
+// A primitive in the world, and many of them as one mesh (gltf_part.cxx).
+struct GltfPart
+{
+  std::map<std::string, GltfNumbers> attributes; // POSITION among them
+  std::vector<vtkIdType> corners;                // three a triangle
+  Json::Value material;                          // materialOf
+};
+
+// All parts as one mesh, with the attributes that all have; `lost` are the others. What has no colour is
+// white, what has no place on a picture is at (-1, -1).
+vtkSmartPointer<vtkPolyData> joinedMesh(const std::vector<GltfPart>& parts, std::set<std::string>& lost);
 
 } // namespace oversketch_files
 #endif

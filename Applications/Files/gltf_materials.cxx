@@ -1,4 +1,4 @@
-#include "gltf_materials.h"
+#include "gltf_document.h"
 
 #include "files.h"
 #include "texture.h"
@@ -28,22 +28,6 @@ std::string ofExtension(const std::string& name)
   return "what the extension " + printable(name) + " adds";
 }
 
-// The members of a material that are not kept, and what they are to who looks at it.
-const std::map<std::string, std::string>& wordsOfMaterials()
-{
-  static const std::map<std::string, std::string> words = { { "baseColorFactor",
-                                                              "the tint of its materials" },
-    { "metallicRoughnessTexture", "the pictures of metal and gloss" },
-    { "normalTexture", "the pictures of small bumps (normal maps)" },
-    { "occlusionTexture", "the pictures of shade (occlusion)" },
-    { "emissiveTexture", "the pictures of what glows" },
-    { "emissiveFactor", "what glows" },
-    { "alphaMode", "how its materials let light through" },
-    { "doubleSided", "that its faces are seen from both sides" },
-    { "extras", "other programs' own data" } };
-  return words;
-}
-
 // Whether a member says what holds without it.
 bool isDefault(const std::string& name, const Json::Value& value)
 {
@@ -55,12 +39,23 @@ bool isDefault(const std::string& name, const Json::Value& value)
              [usual](const Json::Value& one) { return one.isNumeric() && one.asDouble() == usual; }));
 }
 
+// Adds the members of a material that are not kept, as what they are to who looks at it.
 void dropMembers(const Json::Value& object, std::set<std::string>& dropped)
 {
+  static const std::map<std::string, std::string> known = { { "baseColorFactor",
+                                                              "the tint of its materials" },
+    { "metallicRoughnessTexture", "the pictures of metal and gloss" },
+    { "normalTexture", "the pictures of small bumps (normal maps)" },
+    { "occlusionTexture", "the pictures of shade (occlusion)" },
+    { "emissiveTexture", "the pictures of what glows" },
+    { "emissiveFactor", "what glows" },
+    { "alphaMode", "how its materials let light through" },
+    { "doubleSided", "that its faces are seen from both sides" },
+    { "extras", "other programs' own data" } };
   for (const std::string& name : object.getMemberNames())
   {
-    const auto words = wordsOfMaterials().find(name);
-    if (words != wordsOfMaterials().end() && !isDefault(name, object[name]))
+    const auto words = known.find(name);
+    if (words != known.end() && !isDefault(name, object[name]))
     {
       dropped.insert(words->second);
     }

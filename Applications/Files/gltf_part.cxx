@@ -1,10 +1,9 @@
-#include "gltf_part.h"
+#include "gltf_document.h"
 
 #include "colours.h"
 
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -77,15 +76,8 @@ vtkSmartPointer<vtkDataArray> attributeArray(const std::string& name,
   const bool single = std::all_of(values.begin(),
     values.end(),
     [](double value) { return static_cast<double>(static_cast<float>(value)) == value; });
-  vtkSmartPointer<vtkDataArray> array;
-  if (single)
-  {
-    array = vtkSmartPointer<vtkFloatArray>::New();
-  }
-  else
-  {
-    array = vtkSmartPointer<vtkDoubleArray>::New();
-  }
+  auto array =
+    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(single ? VTK_FLOAT : VTK_DOUBLE));
   array->SetName(name.c_str());
   array->SetNumberOfComponents(static_cast<int>(components));
   array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / components));

@@ -1,11 +1,8 @@
 // The meshes of a glTF scene as one: nodes with their transforms, skins in their pose, morph targets by their
 // weights; and the picture of the base colour.
 #include "gltf_document.h"
-#include "gltf_materials.h"
-#include "gltf_part.h"
 #include "mesh_file.h"
-#include "pieces.h"
-#include "texture.h"
+#include "text.h"
 
 #include "vtkPointData.h"
 
@@ -13,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace oversketch_files
@@ -20,16 +18,6 @@ namespace oversketch_files
 
 namespace
 {
-
-std::string joined(const std::set<std::string>& names)
-{
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
 
 using Matrix = Eigen::Matrix4d;
 
@@ -361,10 +349,8 @@ GltfPart partOf(GltfDocument& document, const Json::Value& primitive, const std:
   }
   else
   {
-    for (std::size_t i = 0; i < points; ++i)
-    {
-      ids.push_back(static_cast<vtkIdType>(i));
-    }
+    ids.resize(points);
+    std::iota(ids.begin(), ids.end(), vtkIdType{ 0 });
   }
   part.corners = trianglesOf(ids, primitive["mode"].isInt() ? primitive["mode"].asInt() : 4);
   return part;
@@ -464,14 +450,14 @@ vtkSmartPointer<vtkPolyData> read(GltfDocument& document, const std::string& pat
   }
   if (!lost.empty())
   {
-    notes.push_back(path + ": what only some of its parts have is dropped: " + joined(lost));
+    notes.push_back(path + ": what only some of its parts have is dropped: " + listed(lost));
   }
   turnCoordinates(mesh->GetPointData());
   dress(document, parts, skin, mesh);
   addDropped(document, skin.dropped);
   if (!skin.dropped.empty())
   {
-    notes.push_back(path + ": not kept: " + joined(skin.dropped));
+    notes.push_back(path + ": not kept: " + listed(skin.dropped));
   }
   return mesh;
 }

@@ -2,14 +2,15 @@
 #include "colours.h"
 #include "mesh_file.h"
 #include "point_normals.h"
-#include "precision.h"
 #include "sharp_edges.h"
+#include "text.h"
 #include "texture.h"
 
 #include "vtkBase64Utilities.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtk_jsoncpp.h"
 
@@ -17,11 +18,9 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <cstring>
 #include <fstream>
-#include <limits>
 #include <map>
-#include <sstream>
+#include <type_traits>
 
 namespace oversketch_files
 {
@@ -29,89 +28,63 @@ namespace oversketch_files
 namespace
 {
 
-// One buffer and the JSON that describes it.
+// The document and its one buffer.
 struct Builder
 {
-  std::string buffer, views, accessors, attributes;
-  int viewCount = 0, accessorCount = 0;
+  Json::Value json;
+  std::string buffer;
+  std::map<std::string, int> pictures; // the textures of those that are there
+
+  // Adds to one of the document's lists; gives the place in it.
+  int append(const char* list, const Json::Value& one)
+  {
+    this->json[list].append(one);
+    return static_cast<int>(this->json[list].size()) - 1;
+  }
 
   // target: 34962 vertices, 34963 indices, 0 for what is neither.
   int addView(const void* data, std::size_t bytes, int target = 0)
   {
-    std::ostringstream view;
-    view << (this->viewCount > 0 ? "," : "") << R"({"buffer":0,"byteOffset":)" << this->buffer.size()
-         << R"(,"byteLength":)" << bytes;
+    Json::Value view;
+    view["buffer"] = 0;
+    view["byteOffset"] = Json::UInt64(this->buffer.size());
+    view["byteLength"] = Json::UInt64(bytes);
     if (target)
     {
-      view << R"(,"target":)" << target;
+      view["target"] = target;
     }
-    this->views += view.str() + '}';
     this->buffer.append(static_cast<const char*>(data), bytes);
     this->buffer.resize((this->buffer.size() + 3) / 4 * 4, '\0');
-    return this->viewCount++;
+    return this->append("bufferViews", view);
   }
 
-  // componentType: 5121 unsigned byte, 5125 unsigned int, 5126 float.
-  int add(const void* data,
-    std::size_t bytes,
-    std::size_t elements,
-    int componentType,
-    const char* type,
-    int target,
-    const std::string& more = "")
+  // An accessor. componentType: 5121 unsigned byte, 5125 unsigned int, 5126 float.
+  template <typename T>
+  int add(const std::vector<T>& values, std::size_t components, int target = 34962)
   {
-    const int view = this->addView(data, bytes, target);
-    std::ostringstream accessor;
-    accessor << (this->accessorCount > 0 ? "," : "") << R"({"bufferView":)" << view << R"(,"componentType":)"
-             << componentType << R"(,"count":)" << elements << R"(,"type":")" << type << '"' << more << '}';
-    this->accessors += accessor.str();
-    return this->accessorCount++;
-  }
-
-  void addFloats(const char* attribute,
-    const std::vector<float>& values,
-    int components,
-    const std::string& more = "")
-  {
-    const int accessor = this->add(values.data(),
-      values.size() * sizeof(float),
-      values.size() / static_cast<std::size_t>(components),
-      5126,
-      components == 2   ? "VEC2"
-      : components == 3 ? "VEC3"
-                        : "VEC4",
-      34962,
-      more);
-    this->attribute(attribute, accessor);
-  }
-
-  void attribute(const char* name, int accessor)
-  {
-    this->attributes +=
-      (this->attributes.empty() ? "\"" : ",\"") + std::string(name) + "\":" + std::to_string(accessor);
+    static const char* const types[] = { "SCALAR", "VEC2", "VEC3", "VEC4" };
+    Json::Value accessor;
+    accessor["bufferView"] = this->addView(values.data(), values.size() * sizeof(T), target);
+    accessor["componentType"] = std::is_same_v<T, float> ? 5126 : sizeof(T) == 1 ? 5121 : 5125;
+    accessor["count"] = Json::UInt64(values.size() / components);
+    accessor["type"] = types[components - 1];
+    if (sizeof(T) == 1) // colours
+    {
+      accessor["normalized"] = true;
+    }
+    return this->append("accessors", accessor);
   }
 };
 
-template <typename Numbers>
-std::string jsonOf(const Numbers& values)
-{
-  std::ostringstream text;
-  text.precision(std::numeric_limits<typename Numbers::value_type>::max_digits10);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    text << (i ? "," : "[") << values[i];
-  }
-  return text.str() + ']';
-}
-
-std::vector<float> floatsOf(vtkDataArray* array, int components)
+// The first components of an array, from an origin.
+std::vector<float> floatsOf(vtkDataArray* array, int components, const std::array<double, 3>& origin = {})
 {
   std::vector<float> values;
-  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < components; ++c)
     {
-      values.push_back(static_cast<float>(array->GetComponent(i, c)));
+      values.push_back(static_cast<float>(array->GetComponent(i, c) - origin[static_cast<std::size_t>(c)]));
     }
   }
   return values;
@@ -126,29 +99,6 @@ std::string base64(const std::string& bytes)
   return std::string(reinterpret_cast<const char*>(text.data()), length);
 }
 
-void put32(std::string& out, std::size_t value)
-{
-  for (int k = 0; k < 4; ++k)
-  {
-    out += static_cast<char>((value >> (8 * k)) & 0xff);
-  }
-}
-
-std::vector<float> positionsOf(vtkPolyData* mesh, const std::array<double, 3>& origin)
-{
-  std::vector<float> values;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    mesh->GetPoint(i, p);
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      values.push_back(static_cast<float>(p[k] - origin[k]));
-    }
-  }
-  return values;
-}
-
 // With normals, without which a reader has to show each triangle flat; where the mesh has none, with points
 // of their own for both sides of its sharp edges.
 vtkSmartPointer<vtkPolyData> litMesh(vtkPolyData* mesh)
@@ -157,22 +107,27 @@ vtkSmartPointer<vtkPolyData> litMesh(vtkPolyData* mesh)
   return has ? vtkSmartPointer<vtkPolyData>(mesh) : SharpEdges().look(withPointNormals(mesh));
 }
 
-// The JSON of a primitive with a material, which it says; what it holds goes into the buffer, positions from
-// that origin.
-std::string primitiveOf(Builder& builder,
-  vtkPolyData* mesh,
-  const std::array<double, 3>& origin,
-  const std::string& material)
+// A primitive; what it holds goes into the buffer, positions from that origin.
+Json::Value primitiveOf(Builder& builder, vtkPolyData* mesh, const std::array<double, 3>& origin)
 {
-  builder.attributes.clear();
-  const std::vector<float> positions = positionsOf(mesh, origin);
-  std::vector<float> low(3, FLT_MAX), high(3, -FLT_MAX);
+  Json::Value primitive;
+  primitive["mode"] = 4;
+  Json::Value& attributes = primitive["attributes"];
+  const std::vector<float> positions =
+    floatsOf(mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr, 3, origin);
+  const int places = builder.add(positions, 3);
+  attributes["POSITION"] = places;
+  std::array<float, 3> low{ FLT_MAX, FLT_MAX, FLT_MAX }, high{ -FLT_MAX, -FLT_MAX, -FLT_MAX };
   for (std::size_t i = 0; i < positions.size(); ++i)
   {
     low[i % 3] = std::min(low[i % 3], positions[i]);
     high[i % 3] = std::max(high[i % 3], positions[i]);
   }
-  builder.addFloats("POSITION", positions, 3, ",\"min\":" + jsonOf(low) + ",\"max\":" + jsonOf(high));
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    builder.json["accessors"][places]["min"].append(low[k]);
+    builder.json["accessors"][places]["max"].append(high[k]);
+  }
   if (vtkDataArray* normals = mesh->GetPointData()->GetNormals())
   {
     std::vector<float> values = floatsOf(normals, 3);
@@ -185,7 +140,7 @@ std::string primitiveOf(Builder& builder,
         values[i + c] = length > 0.0f ? values[i + c] / length : zero[c];
       }
     }
-    builder.addFloats("NORMAL", values, 3);
+    attributes["NORMAL"] = builder.add(values, 3);
   }
   vtkDataArray* textures = mesh->GetPointData()->GetTCoords();
   bool isTextured = false;
@@ -200,7 +155,7 @@ std::string primitiveOf(Builder& builder,
     {
       values[i] = 1.0f - values[i]; // glTF counts v from the top
     }
-    builder.addFloats("TEXCOORD_0", values, 2);
+    attributes["TEXCOORD_0"] = builder.add(values, 2);
   }
   if (vtkDataArray* colours = coloursOf(mesh))
   {
@@ -214,78 +169,43 @@ std::string primitiveOf(Builder& builder,
                           : floats.push_back(static_cast<float>(colourShare(colours, i, c)));
       }
     }
-    if (areBytes(colours))
-    {
-      builder.attribute("COLOR_0",
-        builder.add(
-          bytes.data(), bytes.size(), bytes.size() / 4, 5121, "VEC4", 34962, ",\"normalized\":true"));
-    }
-    else
-    {
-      builder.addFloats("COLOR_0", floats, 4);
-    }
+    attributes["COLOR_0"] = areBytes(colours) ? builder.add(bytes, 4) : builder.add(floats, 4);
   }
   std::vector<std::uint32_t> indices;
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    for (vtkIdType k = 0; k < size; ++k)
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    for (const vtkIdType id : *ids)
     {
-      indices.push_back(static_cast<std::uint32_t>(ids[k]));
+      indices.push_back(static_cast<std::uint32_t>(id));
     }
   }
-  const int indexAccessor =
-    builder.add(indices.data(), indices.size() * 4, indices.size(), 5125, "SCALAR", 34963);
-
-  return R"({"attributes":{)" + builder.attributes + R"(},"indices":)" + std::to_string(indexAccessor) +
-         material + R"(,"mode":4})";
+  primitive["indices"] = builder.add(indices, 1, 34963);
+  return primitive;
 }
 
-bool hasMaterial(const Piece& piece)
+// The material of a piece; its picture goes into the buffer, once where pieces wear the same.
+Json::Value materialFor(Builder& builder, const Piece& piece, const std::string& title)
 {
-  return !piece.picture.empty() || !piece.name.empty();
-}
-
-// The document's members of materials and pictures, empty where there are none; the pictures go into the
-// buffer.
-std::string looksOf(Builder& builder, const std::vector<Piece>& pieces, const std::string& title)
-{
-  std::string materials, textures, images;
-  std::map<std::string, std::string> known; // the place of a picture: pieces may wear the same one
-  for (const Piece& piece : pieces)
+  Json::Value material;
+  material["name"] = piece.name.empty() ? title : piece.name;
+  material["pbrMetallicRoughness"]["metallicFactor"] = 0;
+  if (!piece.picture.empty())
   {
-    if (!hasMaterial(piece))
+    const auto [picture, isNew] =
+      builder.pictures.try_emplace(piece.picture, static_cast<int>(builder.pictures.size()));
+    if (isNew)
     {
-      continue;
+      Json::Value image, texture;
+      image["bufferView"] = builder.addView(piece.picture.data(), piece.picture.size());
+      image["mimeType"] = "image/" + pictureFormatOf(piece.picture);
+      texture["source"] = builder.append("images", image);
+      builder.append("textures", texture);
     }
-    std::string base;
-    if (!piece.picture.empty())
-    {
-      const auto [picture, isNew] = known.try_emplace(piece.picture, std::to_string(known.size()));
-      if (isNew)
-      {
-        const int view = builder.addView(piece.picture.data(), piece.picture.size());
-        textures += (textures.empty() ? "" : ",") + (R"({"source":)" + picture->second + "}");
-        images += (images.empty() ? "" : ",") +
-                  (R"({"bufferView":)" + std::to_string(view) + R"(,"mimeType":"image/)" +
-                    pictureFormatOf(piece.picture) + R"("})");
-      }
-      base = R"("baseColorTexture":{"index":)" + picture->second + "},";
-    }
-    const std::string name = piece.name.empty() ? title : '"' + piece.name + '"';
-    materials += (materials.empty() ? R"({"name":)" : R"(,{"name":)") + name;
-    materials += R"(,"pbrMetallicRoughness":{)" + base + R"("metallicFactor":0}})";
+    material["pbrMetallicRoughness"]["baseColorTexture"]["index"] = picture->second;
   }
-  if (materials.empty())
-  {
-    return {};
-  }
-  materials = R"("materials":[)" + materials + "],";
-  return images.empty() ? materials
-                        : materials + R"("textures":[)" + textures + R"(],"images":[)" + images + "],";
+  return material;
 }
 
 } // namespace
@@ -295,47 +215,47 @@ void writeGltf(const std::vector<Piece>& pieces,
   const std::string& path,
   bool binary)
 {
-  const std::string title = Json::valueToQuotedString(name.c_str());
   Builder builder;
-  std::string primitives;
-  std::size_t count = 0; // of materials
+  Json::Value& json = builder.json;
+  json["asset"]["version"] = "2.0";
+  json["asset"]["generator"] = "Oversketch";
+  json["scene"] = 0;
+  json["scenes"][0]["nodes"][0] = 0;
+  json["nodes"][0]["mesh"] = 0;
+  json["nodes"][0]["name"] = json["meshes"][0]["name"] = name;
   // A mesh far from the origin hangs on a node that moves it there, in double precision.
   const std::array<double, 3> origin = nearOrigin(pieces);
-  const bool isMoved = origin != std::array<double, 3>{};
-  const std::string moved = isMoved ? ",\"translation\":" + jsonOf(origin) : "";
+  for (std::size_t k = 0; origin != std::array<double, 3>{} && k < 3; ++k)
+  {
+    json["nodes"][0]["translation"].append(origin[k]);
+  }
   for (const Piece& piece : pieces)
   {
-    const std::string material = hasMaterial(piece) ? R"(,"material":)" + std::to_string(count++) : "";
-    primitives +=
-      (primitives.empty() ? "" : ",") + primitiveOf(builder, litMesh(piece.mesh), origin, material);
+    Json::Value primitive = primitiveOf(builder, litMesh(piece.mesh), origin);
+    if (!piece.picture.empty() || !piece.name.empty())
+    {
+      primitive["material"] = builder.append("materials", materialFor(builder, piece, name));
+    }
+    json["meshes"][0]["primitives"].append(primitive);
   }
-  const std::string looks = looksOf(builder, pieces, title);
-
-  std::ostringstream json;
-  json
-    << R"({"asset":{"version":"2.0","generator":"Oversketch"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":)"
-    << title << moved << R"(}],"meshes":[{"name":)" << title << R"(,"primitives":[)" << primitives
-    << R"(]}],)" << looks << R"("accessors":[)" << builder.accessors << R"(],"bufferViews":[)"
-    << builder.views << R"(],"buffers":[{"byteLength":)" << builder.buffer.size();
+  json["buffers"][0]["byteLength"] = Json::UInt64(builder.buffer.size());
   if (!binary)
   {
-    json << R"(,"uri":"data:application/octet-stream;base64,)" << base64(builder.buffer) << '"';
+    json["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(builder.buffer);
   }
-  json << "}]}";
-  std::string text = json.str();
+  Json::StreamWriterBuilder compact;
+  compact["indentation"] = "";
+  std::string text = Json::writeString(compact, json);
   std::ofstream stream(path, std::ios::binary);
   if (binary)
   {
     text.resize((text.size() + 3) / 4 * 4, ' ');
-    std::string header = "glTF";
-    put32(header, 2);
-    put32(header, 12 + 8 + text.size() + 8 + builder.buffer.size());
-    put32(header, text.size());
-    header += "JSON";
-    std::string chunk;
-    put32(chunk, builder.buffer.size());
-    chunk += std::string("BIN\0", 4);
-    stream << header << text << chunk << builder.buffer;
+    std::string header = "glTF", chunk;
+    put<std::uint32_t>(header, 2);
+    put(header, static_cast<std::uint32_t>(12 + 8 + text.size() + 8 + builder.buffer.size()));
+    put(header, static_cast<std::uint32_t>(text.size()));
+    put(chunk, static_cast<std::uint32_t>(builder.buffer.size()));
+    stream << header << "JSON" << text << chunk << std::string("BIN\0", 4) << builder.buffer;
   }
   else
   {

@@ -1,10 +1,10 @@
 #include "heights.h"
 
 #include "files.h"
-#include "orientation.h"
 #include "raster.h"
 #include "text.h"
 #include "texture.h"
+#include "upright_picture.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -26,17 +26,11 @@ const char* const heightsExtensions = ".png .tif .tiff .pgm .asc .vti";
 namespace
 {
 
-constexpr int longest = 16384; // samples a side
-
-[[noreturn]] void refuse(const std::string& name, const std::string& why)
-{
-  throw Failed(name + ": " + why);
-}
-
 // Throws Failed unless a file of so many bytes can tell so many samples.
 void requireSize(const std::string& name, double width, double height, double room)
 {
-  if (!(width >= 1.0 && height >= 1.0 && width <= longest && height <= longest && width * height <= room))
+  if (!(width >= 1.0 && height >= 1.0 && width <= longestSide && height <= longestSide &&
+        width * height <= room))
   {
     refuse(name,
       "announces more samples than 16384 a side, or than it holds, or none; the file is damaged or too "
@@ -143,16 +137,6 @@ vtkSmartPointer<vtkImageData> readPgm(const std::string& name, const std::string
   return image;
 }
 
-std::string lowerCase(std::string_view word)
-{
-  std::string text(word);
-  std::transform(text.begin(),
-    text.end(),
-    text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 vtkSmartPointer<vtkImageData> readAsc(const std::string& name, const std::string& bytes)
 {
   std::map<std::string, double> head;
@@ -224,15 +208,7 @@ vtkSmartPointer<vtkImageData> readAsc(const std::string& name, const std::string
 
 bool isHeightsExtension(const std::string& extension)
 {
-  Words words(heightsExtensions);
-  for (std::string_view word = words.next(); !word.empty(); word = words.next())
-  {
-    if (word == extension)
-    {
-      return true;
-    }
-  }
-  return false;
+  return isAmong(extension, heightsExtensions);
 }
 
 std::string heightsFormatOf(const std::string& bytes)

@@ -1,7 +1,7 @@
 #include "kept_arrays.h"
 
 #include "colours.h"
-#include "pieces.h"
+#include "text.h"
 #include "texture.h"
 
 #include "vtkOversketchHierarchy.h"
@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace oversketch_files
@@ -91,26 +92,22 @@ std::set<vtkAbstractArray*> ownArrays(vtkPolyData* mesh)
   vtkCellData* cells = mesh->GetCellData();
   vtkFieldData* fields = mesh->GetFieldData();
   std::set<vtkAbstractArray*> own;
-  const char* const ofEdits[] = { "MeanEdge" };
-  addNamed(fields, ofEdits, own);
+  addNamed(fields, std::array{ "MeanEdge" }, own);
   if (cells->HasArray(oversketch::stellarCellArrays[0]))
   {
-    const char* const ofTerrains[] = { "TerrainGray", "TerrainRules" };
     addNamed(points, oversketch::stellarPointArrays, own);
     addNamed(cells, oversketch::stellarCellArrays, own);
     addNamed(fields, oversketch::stellarFieldArrays, own);
-    addNamed(fields, ofTerrains, own);
+    addNamed(fields, std::array{ "TerrainGray", "TerrainRules" }, own);
   }
   if (points->HasArray("PlanarId") && cells->HasArray("BaseFaceId"))
   {
     const char* const ofPoints[] = {
       "BoundaryKind", "StrokeId", "StrokeParam", "IsBaseVertex", "Displacement", "PlanarId", "Side"
     };
-    const char* const ofFaces[] = { "RegionId", "ObjectId", "BaseFaceId", "Side" };
-    const char* const ofCanvas[] = { "Resolution", "Canvas" };
     addNamed(points, ofPoints, own);
-    addNamed(cells, ofFaces, own);
-    addNamed(fields, ofCanvas, own);
+    addNamed(cells, std::array{ "RegionId", "ObjectId", "BaseFaceId", "Side" }, own);
+    addNamed(fields, std::array{ "Resolution", "Canvas" }, own);
   }
   return own;
 }
@@ -133,14 +130,9 @@ void noteDropped(vtkPolyData* mesh, const std::string& format, std::set<vtkAbstr
       }
     }
   }
-  std::string names;
-  for (const std::string& word : words)
+  if (!words.empty())
   {
-    names += (names.empty() ? "" : ", ") + word;
-  }
-  if (!names.empty())
-  {
-    notes.push_back(format + " does not keep: " + names);
+    notes.push_back(format + " does not keep: " + listed(words));
   }
 }
 

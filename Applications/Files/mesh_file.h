@@ -9,6 +9,8 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
+#include <array>
+
 namespace oversketch_files
 {
 
@@ -41,14 +43,12 @@ void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFile
 vtkSmartPointer<vtkPolyData> readVtp(const std::string& name, const std::string& bytes);
 // With all properties as arrays, and the pictures that its header names.
 vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes);
-vtkSmartPointer<vtkPolyData> readStl(const std::string& path);
+vtkSmartPointer<vtkPolyData> readStl(const std::string& path, Notes& notes);
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path, Notes& notes);
 // Which face wears which material (field array MaterialNames, cell array MaterialIds), the names of the
 // libraries (field array MaterialLibraries), one array of texture coordinates (-1, -1 at points without), and
 // the picture.
 vtkSmartPointer<vtkPolyData> readObj(const std::string& path, Notes& notes);
-// The picture of the materials (texture.h) where all that are worn have the same.
-void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes);
 // Makes the pictures of pieces beside a mesh file of that path; returns the name of each piece's, "" for one
 // without. Replaces no other file.
 std::vector<std::string> writePictures(const std::vector<Piece>& pieces,
@@ -80,6 +80,20 @@ void writeGltf(const std::vector<Piece>& pieces,
   const std::string& name,
   const std::string& path,
   bool binary);
+
+// Number of triangles that the polygons of a mesh make.
+vtkIdType trianglesIn(vtkPolyData* mesh);
+// The mesh with each quad cut along the diagonal whose triangles face more alike, of two the first. Unlike
+// vtkTriangleFilter it leaves none out: narrow ones are faces of a closed surface, too. Other polygons and
+// all arrays stay as they are.
+vtkSmartPointer<vtkPolyData> withoutQuads(vtkPolyData* mesh);
+
+// How far apart numbers of single precision lie where a mesh of such points is [the mesh's units], as words
+// with the share of the mesh's size; "" up to 1e-4 of that, and for other points.
+std::string singleSteps(vtkPolyData* mesh);
+// The middle of meshes that lie so far from the origin that single precision would round them by more than
+// 1e-6 of their size; zeros for others.
+std::array<double, 3> nearOrigin(const std::vector<Piece>& pieces);
 
 } // namespace oversketch_files
 #endif

@@ -1,18 +1,21 @@
 #include "mesh_file.h"
-#include "precision.h"
-#include "quads.h"
+#include "text.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTriangle.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
+#include <map>
 #include <sstream>
 
 namespace oversketch_files
@@ -22,9 +25,65 @@ const char* const meshExtensions = ".obj .ply .stl .off .vtp .gltf .glb";
 
 bool isMeshExtension(const std::string& extension)
 {
-  std::istringstream list(meshExtensions);
-  return std::find(std::istream_iterator<std::string>(list), {}, extension) !=
-         std::istream_iterator<std::string>();
+  return isAmong(extension, meshExtensions);
+}
+
+namespace
+{
+
+// Cosine between the triangles (0, 1, 2) and (0, 2, 3) of four corners.
+double alike(vtkPolyData* mesh, const std::array<vtkIdType, 4>& ids)
+{
+  double p[4][3], first[3], second[3];
+  for (std::size_t k = 0; k < 4; ++k)
+  {
+    mesh->GetPoint(ids[k], p[k]);
+  }
+  vtkTriangle::ComputeNormal(p[0], p[1], p[2], first);
+  vtkTriangle::ComputeNormal(p[0], p[2], p[3], second);
+  return vtkMath::Dot(first, second);
+}
+
+} // namespace
+
+vtkIdType trianglesIn(vtkPolyData* mesh)
+{
+  return mesh->GetPolys()->GetNumberOfConnectivityIds() - 2 * mesh->GetNumberOfPolys();
+}
+
+vtkSmartPointer<vtkPolyData> withoutQuads(vtkPolyData* mesh)
+{
+  auto cut = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkCellArray> polygons;
+  vtkCellData* arrays = cut->GetCellData();
+  arrays->CopyAllocate(mesh->GetCellData(), 2 * mesh->GetNumberOfPolys());
+  const auto add = [&](vtkIdType from, vtkIdType size, const vtkIdType* ids)
+  { arrays->CopyData(mesh->GetCellData(), from, polygons->InsertNextCell(size, ids)); };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
+  {
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    if (ids->GetNumberOfIds() != 4)
+    {
+      add(face, ids->GetNumberOfIds(), ids->begin());
+      continue;
+    }
+    std::array<vtkIdType, 4> corners{ ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) };
+    const std::array<vtkIdType, 4> turned{ corners[1], corners[2], corners[3], corners[0] };
+    if (alike(mesh, turned) > alike(mesh, corners))
+    {
+      corners = turned;
+    }
+    const vtkIdType halves[2][3] = { { corners[0], corners[1], corners[2] },
+      { corners[0], corners[2], corners[3] } };
+    add(face, 3, halves[0]);
+    add(face, 3, halves[1]);
+  }
+  cut->SetPoints(mesh->GetPoints());
+  cut->SetPolys(polygons);
+  cut->GetPointData()->ShallowCopy(mesh->GetPointData());
+  cut->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  return cut;
 }
 
 namespace
@@ -66,15 +125,13 @@ void requireSound(const std::string& path, vtkPolyData* mesh)
       throw Failed(
         path + ": its cells do not fit together (offsets beyond the connectivity); the file is damaged");
     }
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
     {
-      vtkIdType size = 0;
-      const vtkIdType* ids = nullptr;
-      it->GetCurrentCell(size, ids);
-      if (std::any_of(ids, ids + size, [points](vtkIdType id) { return id < 0 || id >= points; }))
+      cells->GetCellAtId(cell, ids);
+      if (std::any_of(ids->begin(), ids->end(), [points](vtkIdType id) { return id < 0 || id >= points; }))
       {
-        throw Failed(path + ": cell " + std::to_string(it->GetCurrentCellId()) +
+        throw Failed(path + ": cell " + std::to_string(cell) +
                      " names a point that does not exist; the file is damaged");
       }
     }
@@ -91,18 +148,14 @@ vtkSmartPointer<vtkPolyData> trianglesOf(const std::string& path, vtkPolyData* m
   const vtkIdType others = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   const vtkIdType strips = mesh->GetNumberOfStrips();
   bool triangles = true;
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
+    const vtkIdType size = mesh->GetPolys()->GetCellSize(face);
     triangles = triangles && size == 3;
     if (size > mostCorners)
     {
-      throw Failed(path + ": its polygon " + std::to_string(it->GetCurrentCellId()) + " has " +
-                   std::to_string(size) + " corners; at most " + std::to_string(mostCorners) +
-                   " are triangulated: split it");
+      throw Failed(path + ": its polygon " + std::to_string(face) + " has " + std::to_string(size) +
+                   " corners; at most " + std::to_string(mostCorners) + " are triangulated: split it");
     }
   }
   if (triangles && others + strips == 0)
@@ -153,37 +206,20 @@ vtkSmartPointer<vtkPolyData> soundTriangles(const std::string& path, vtkPolyData
 vtkSmartPointer<vtkPolyData> readMesh(const std::string& path, Notes& notes)
 {
   requireReadable(path);
-  const std::string extension = extensionOf(path);
-  vtkSmartPointer<vtkPolyData> mesh;
-  if (extension == ".obj")
-  {
-    mesh = readObj(path, notes);
-  }
-  else if (extension == ".ply")
-  {
-    mesh = readPly(path, notes);
-  }
-  else if (extension == ".stl")
-  {
-    mesh = readStl(path);
-  }
-  else if (extension == ".off")
-  {
-    mesh = readOff(path, notes);
-  }
-  else if (extension == ".vtp")
-  {
-    mesh = readVtp(path, wholeFile(path));
-  }
-  else if (extension == ".gltf" || extension == ".glb")
-  {
-    mesh = readGltf(path, notes);
-  }
-  else
+  using Read = vtkSmartPointer<vtkPolyData> (*)(const std::string&, Notes&);
+  static const std::map<std::string, Read> readers = { { ".obj", readObj },
+    { ".ply", readPly },
+    { ".stl", readStl },
+    { ".off", readOff },
+    { ".vtp", [](const std::string& file, Notes&) { return readVtp(file, wholeFile(file)); } },
+    { ".gltf", readGltf },
+    { ".glb", readGltf } };
+  const auto reader = readers.find(extensionOf(path));
+  if (reader == readers.end())
   {
     throw Failed(path + ": is none of the mesh formats " + meshExtensions);
   }
-  mesh = soundTriangles(path, mesh, notes);
+  vtkSmartPointer<vtkPolyData> mesh = soundTriangles(path, reader->second(path, notes), notes);
   if (const std::string steps = singleSteps(mesh); !steps.empty())
   {
     notes.push_back(path +

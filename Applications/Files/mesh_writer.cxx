@@ -1,9 +1,8 @@
 #include "colours.h"
 #include "kept_arrays.h"
 #include "mesh_file.h"
-#include "precision.h"
-#include "quads.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkErrorCode.h"
@@ -15,8 +14,11 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <set>
+#include <sstream>
 
 namespace oversketch_files
 {
@@ -24,13 +26,13 @@ namespace oversketch_files
 namespace
 {
 
-template <typename Writer>
-void finish(Writer* writer, const std::string& path)
+void writeVtp(vtkPolyData* mesh, const std::string& path)
 {
-  takeError();
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(mesh);
   writer->SetFileName(path.c_str());
-  const int done = writer->Write();
-  if (!done || writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
+  takeError();
+  if (!writer->Write() || writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
   {
     throw Failed(path + ": could not be written (is the disk full?)");
   }
@@ -100,6 +102,45 @@ PlyPictures picturesBeside(vtkPolyData* mesh, const std::string& path, NewFiles&
   return pictures;
 }
 
+// Words for a distance, with its share of the mesh's size; "" up to 1e-4 of that, which nobody sees.
+std::string inWords(double distance, double size)
+{
+  if (!(size > 0.0 && distance > 1e-4 * size))
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << distance << ", " << 100.0 * distance / size << " % of the model's size";
+  return text.str();
+}
+
+double farthest(const double bounds[6])
+{
+  double most = 0.0;
+  for (int k = 0; k < 6; ++k)
+  {
+    most = std::max(most, std::abs(bounds[k]));
+  }
+  return most;
+}
+
+// How far points move where they are rounded to single precision [the mesh's units], in words.
+std::string lostInSingle(vtkPolyData* mesh)
+{
+  double most = 0.0;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    mesh->GetPoint(i, p);
+    for (const double x : p)
+    {
+      most = std::max(most, std::abs(x - static_cast<double>(static_cast<float>(x))));
+    }
+  }
+  return inWords(most, mesh->GetLength());
+}
+
 // Of a format that holds numbers of single precision alone.
 void noteSingle(vtkPolyData* mesh, const std::string& format, Notes& notes)
 {
@@ -129,6 +170,39 @@ std::set<vtkAbstractArray*> withPictures(vtkPolyData* mesh, std::set<vtkAbstract
 }
 
 } // namespace
+
+std::string singleSteps(vtkPolyData* mesh)
+{
+  if (mesh->GetPoints()->GetDataType() != VTK_FLOAT)
+  {
+    return {};
+  }
+  const auto most = static_cast<float>(farthest(mesh->GetBounds()));
+  const float next = std::nextafter(most, std::numeric_limits<float>::max());
+  return inWords(static_cast<double>(next) - static_cast<double>(most), mesh->GetLength());
+}
+
+std::array<double, 3> nearOrigin(const std::vector<Piece>& pieces)
+{
+  vtkBoundingBox box;
+  for (const Piece& piece : pieces)
+  {
+    box.AddBounds(piece.mesh->GetBounds());
+  }
+  std::array<double, 3> middle{};
+  if (!box.IsValid())
+  {
+    return middle;
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  constexpr double keptShare = 1e-6; // of the size
+  if (farthest(bounds) * 0.5 * std::numeric_limits<float>::epsilon() > keptShare * box.GetDiagonalLength())
+  {
+    box.GetCenter(middle.data());
+  }
+  return middle;
+}
 
 std::string bytesOf(vtkPolyData* data)
 {
@@ -202,12 +276,7 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
   std::function<void(const std::string&)> write;
   if (extension == ".vtp")
   {
-    write = [&](const std::string& file)
-    {
-      vtkNew<vtkXMLPolyDataWriter> writer;
-      writer->SetInputData(mesh);
-      finish(writer.Get(), file);
-    };
+    write = [&](const std::string& file) { writeVtp(mesh, file); };
   }
   else if (extension == ".obj")
   {

@@ -3,6 +3,7 @@
 #include "colours.h"
 #include "mesh_file.h"
 #include "text.h"
+#include "texture.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -16,7 +17,11 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <map>
+#include <set>
+
+namespace fs = std::filesystem;
 
 namespace oversketch_files
 {
@@ -136,14 +141,8 @@ private:
       for (int k = 0; k < components[kind]; ++k)
       {
         const std::string_view word = words.next();
-        const std::optional<double> value = numberOf(word);
-        // A texture of one dimension has one coordinate.
-        if (!value && !(kind == Coordinate && k == 1 && word.empty()))
-        {
-          this->refuse(this->where() + (word.empty() ? " ends" : " has " + inQuotes(word)) +
-                       " where a number should be; the file is damaged");
-        }
-        this->values[kind].push_back(value.value_or(0.0));
+        const bool isNone = kind == Coordinate && k == 1 && word.empty(); // of a texture of one dimension
+        this->values[kind].push_back(isNone ? 0.0 : numberOf(word, this->Path, this->Line));
       }
       if (kind == Vertex)
       {
@@ -164,15 +163,15 @@ private:
     }
     else if (keyword == "g")
     {
-      this->Group = this->groups.numberOf(std::string(restOf(line, words)));
+      this->Group = this->groups.numberOf(std::string(words.rest()));
     }
     else if (keyword == "usemtl")
     {
-      this->Material = this->materials.numberOf(std::string(restOf(line, words)));
+      this->Material = this->materials.numberOf(std::string(words.rest()));
     }
     else if (keyword == "mtllib")
     {
-      this->libraries.emplace_back(restOf(line, words));
+      this->libraries.emplace_back(words.rest());
     }
   }
 
@@ -185,13 +184,7 @@ private:
     for (std::string_view word = words.next(); !word.empty() && word[0] != '#' && known < 4;
          word = words.next())
     {
-      const std::optional<double> value = numberOf(word);
-      if (!value)
-      {
-        this->refuse(
-          this->where() + " has " + inQuotes(word) + " where a number should be; the file is damaged");
-      }
-      colour[known++] = *value;
+      colour[known++] = numberOf(word, this->Path, this->Line);
     }
     if (known >= 3)
     {
@@ -199,13 +192,6 @@ private:
       this->colours.resize(this->count(Vertex) - 1, { 1.0, 1.0, 1.0, 1.0 });
       this->colours.push_back(colour);
     }
-  }
-
-  static std::string_view restOf(std::string_view line, const Words& words)
-  {
-    const std::size_t from = line.find_first_not_of(" \t", words.at());
-    const std::size_t to = line.find_last_not_of(" \t\r");
-    return from == std::string_view::npos ? std::string_view() : line.substr(from, to + 1 - from);
   }
 
   void readFace(Words& words)
@@ -445,6 +431,84 @@ void setNames(vtkPolyData* mesh,
     ids->GetPointer(0),
     [number](const Face& face) { return face.*number; });
   mesh->GetCellData()->AddArray(ids);
+}
+
+// The file that a map_Kd line names: what follows its options, which take numbers or on and off.
+std::string_view pictureNamed(Words words)
+{
+  bool inOption = false;
+  for (Words before = words;; before = words)
+  {
+    const std::string_view word = words.next();
+    const bool number = word.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
+    inOption = !word.empty() && (word[0] == '-' || (inOption && (number || word == "on" || word == "off")));
+    if (!inOption)
+    {
+      return before.rest();
+    }
+  }
+}
+
+// Adds each material's picture; "" for one without.
+bool readLibrary(const fs::path& path, std::map<std::string, fs::path>& pictures)
+{
+  const std::string text = wholeFile(path.string());
+  Words lines(text);
+  std::string material;
+  for (std::string_view line; lines.line(line);)
+  {
+    Words words(line);
+    const std::string_view keyword = words.next();
+    if (keyword == "newmtl")
+    {
+      material = words.rest();
+      pictures[material];
+    }
+    else if (keyword == "map_Kd")
+    {
+      const std::string_view name = pictureNamed(words);
+      pictures[material] = name.empty() ? fs::path() : path.parent_path() / name;
+    }
+  }
+  return !pictures.empty();
+}
+
+// The picture of the materials (texture.h) that are worn; a part for each where they have several.
+void readObjPicture(vtkPolyData* mesh, const std::string& path, Notes& notes)
+{
+  vtkFieldData* fields = mesh->GetFieldData();
+  auto* libraries = vtkStringArray::SafeDownCast(fields->GetAbstractArray("MaterialLibraries"));
+  auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("MaterialNames"));
+  auto* materials = vtkIntArray::SafeDownCast(mesh->GetCellData()->GetArray("MaterialIds"));
+  if (!libraries || !materials || !mesh->GetPointData()->GetTCoords())
+  {
+    return;
+  }
+  std::map<std::string, fs::path> pictures;
+  std::set<std::string> read;
+  for (vtkIdType i = 0; i < libraries->GetNumberOfValues(); ++i)
+  {
+    const std::string library = libraries->GetValue(i);
+    const fs::path file = (fs::absolute(path).parent_path() / library).lexically_normal();
+    if (read.insert(file.string()).second && !readLibrary(file, pictures))
+    {
+      notes.push_back(path + ": the material library " + library + " cannot be read");
+    }
+  }
+  std::vector<std::string> worn(static_cast<std::size_t>(names->GetNumberOfValues())); // by the materials
+  std::map<fs::path, std::string> known;
+  const std::vector<int> faces(materials->Begin(), materials->End());
+  for (const int material : std::set<int>(faces.begin(), faces.end()))
+  {
+    const fs::path& file = pictures[names->GetValue(material)];
+    const auto [place, isNew] = known.try_emplace(file);
+    if (isNew && !file.empty())
+    {
+      place->second = pictureIn(file.string(), file.filename().string(), path, notes);
+    }
+    worn[static_cast<std::size_t>(material)] = place->second;
+  }
+  wearPictures(mesh, faces, worn);
 }
 
 } // namespace

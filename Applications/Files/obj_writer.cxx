@@ -3,20 +3,25 @@
 // `vn` share their `v`.
 #include "colours.h"
 #include "mesh_file.h"
+#include "texture.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <map>
+
+namespace fs = std::filesystem;
 
 namespace oversketch_files
 {
@@ -26,31 +31,20 @@ namespace
 
 void writeTuple(std::ostream& stream, const char* keyword, const double* values, int count)
 {
-  char text[40];
-  stream << keyword;
+  stream << keyword << std::setprecision(17);
   for (int c = 0; c < count; ++c)
   {
-    std::snprintf(text, sizeof text, " %.17g", values[c]);
-    stream << text;
+    stream << ' ' << values[c];
   }
 }
 
 // Behind a vertex, where others read it, from 0 to 1.
 void writeObjColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
 {
-  char text[40];
   for (int c = 0; colours && c < colours->GetNumberOfComponents(); ++c)
   {
-    std::snprintf(text, sizeof text, " %.9g", colourShare(colours, at, c));
-    stream << text;
+    stream << ' ' << std::setprecision(9) << colourShare(colours, at, c);
   }
-}
-
-vtkDataArray* usable(vtkDataArray* array, int components, vtkIdType count)
-{
-  return array && array->GetNumberOfComponents() >= components && array->GetNumberOfTuples() == count
-           ? array
-           : nullptr;
 }
 
 // Materials or groups, which a line of the file gives to the faces after it.
@@ -133,24 +127,23 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   {
     stream << "usemtl " << material << '\n';
   }
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    groups.write(stream, it->GetCurrentCellId());
+    groups.write(stream, face);
     if (material.empty())
     {
-      materials.write(stream, it->GetCurrentCellId());
+      materials.write(stream, face);
     }
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
+    mesh->GetPolys()->GetCellAtId(face, ids);
     stream << 'f';
     const bool textured =
-      textures && !std::all_of(ids, ids + size, [textures](vtkIdType id) { return isNowhere(textures, id); });
-    for (vtkIdType k = 0; k < size; ++k)
+      textures &&
+      !std::all_of(ids->begin(), ids->end(), [textures](vtkIdType id) { return isNowhere(textures, id); });
+    for (const vtkIdType id : *ids)
     {
-      const vtkIdType point = before.points + ids[k] + 1;
-      stream << ' ' << position[static_cast<std::size_t>(ids[k])];
+      const vtkIdType point = before.points + id + 1;
+      stream << ' ' << position[static_cast<std::size_t>(id)];
       if (textured || normals)
       {
         stream << '/';
@@ -170,7 +163,57 @@ void writePiece(std::ostream& stream, vtkPolyData* mesh, const std::string& mate
   before.points += count;
 }
 
+// A file beside that of the path, which may stand there already if it is the same.
+void writeBeside(const fs::path& file, const std::string& content, const std::string& path, NewFiles& files)
+{
+  const bool isThere = fs::exists(fs::symlink_status(file));
+  if (isThere && wholeFile(file.string()) != content)
+  {
+    throw Failed(path + ": its texture would replace " + file.filename().string() + "; choose another name");
+  }
+  if (!isThere)
+  {
+    files.writeText(file.string(), content);
+  }
+}
+
 } // namespace
+
+std::vector<std::string> writePictures(const std::vector<Piece>& pieces,
+  const std::string& path,
+  NewFiles& files)
+{
+  std::vector<std::string> names;
+  std::map<std::string, std::string> known; // by what is in them: parts may wear the same picture
+  for (const Piece& piece : pieces)
+  {
+    const auto [named, isNew] = known.try_emplace(piece.picture);
+    if (isNew && !piece.picture.empty())
+    {
+      fs::path picture = fs::path(path).replace_extension();
+      picture += (piece.name.empty() ? "" : "_" + piece.name) +
+                 (pictureFormatOf(piece.picture) == "png" ? ".png" : ".jpg");
+      named->second = picture.filename().string();
+      writeBeside(picture, piece.picture, path, files);
+    }
+    names.push_back(named->second);
+  }
+  return names;
+}
+
+std::string writeObjMaterials(const std::vector<Piece>& pieces, const std::string& path, NewFiles& files)
+{
+  const fs::path library = fs::path(path).replace_extension(".mtl");
+  std::string text = "# Oversketch\n";
+  const std::vector<std::string> pictures = writePictures(pieces, path, files);
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    text += "newmtl " + (pieces[i].name.empty() ? "texture" : pieces[i].name) + "\nKd 1 1 1\n";
+    text += pictures[i].empty() ? "" : "map_Kd " + pictures[i] + '\n';
+  }
+  writeBeside(library, text, path, files);
+  return library.filename().string();
+}
 
 void writeObj(const std::vector<Piece>& pieces, const std::string& path, const std::string& library)
 {

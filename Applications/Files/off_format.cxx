@@ -3,13 +3,13 @@
 // a bad word.
 #include "colours.h"
 #include "mesh_file.h"
-#include "text.h"
+#include "number_file.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -17,9 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
@@ -31,12 +29,11 @@ namespace
 {
 
 // The numbers of an OFF file one after the other, as words or as big-endian words of four bytes.
-class Numbers
+class OffNumbers : public NumberFile
 {
 public:
-  explicit Numbers(const std::string& path)
-    : Path(path)
-    , Bytes(wholeFile(path))
+  explicit OffNumbers(const std::string& path)
+    : NumberFile(path)
   {
     Words words(this->Bytes);
     std::string_view line;
@@ -49,40 +46,27 @@ public:
     {
       this->refuse("is not an OFF file of points in space");
     }
-    this->Binary = first.next() == "BINARY";
-    this->At =
-      this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
     this->hasNormals = keyword.find('N') < at;
     this->hasCoordinates = keyword.find("ST") < at;
     this->hasColours = keyword.find('C') < at;
+    this->BigEndian = this->Binary = first.next() == "BINARY";
+    this->At =
+      this->Binary ? words.at() : static_cast<std::size_t>(keyword.data() + at + 3 - this->Bytes.data());
+    auto comment = this->Bytes.begin() + static_cast<std::ptrdiff_t>(this->At);
+    while (!this->Binary && (comment = std::find(comment, this->Bytes.end(), '#')) != this->Bytes.end())
+    {
+      const auto end = std::find(comment, this->Bytes.end(), '\n');
+      std::fill(comment, end, ' ');
+      comment = end;
+    }
   }
 
-  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
-
-  double number()
-  {
-    if (this->Binary)
-    {
-      const std::uint32_t word = this->binary();
-      float value;
-      std::memcpy(&value, &word, 4);
-      return value;
-    }
-    const std::string_view word = this->word();
-    const std::optional<double> value = numberOf(word);
-    if (!value)
-    {
-      this->refuse(word.empty()
-                     ? "ends before all that its header announces; the file is truncated or damaged"
-                     : "holds " + inQuotes(word) + " where a number should be; the file is damaged");
-    }
-    return *value;
-  }
+  double number() { return this->NumberFile::number(VTK_FLOAT); }
 
   // A whole number from 0 to `most`; `what` is for the message.
   std::size_t whole(const char* what, std::size_t most = 2147483647)
   {
-    const double value = this->Binary ? static_cast<std::int32_t>(this->binary()) : this->number();
+    const double value = this->NumberFile::number(VTK_INT);
     if (!(value >= 0.0 && value <= static_cast<double>(most)) || value != std::floor(value))
     {
       std::ostringstream message;
@@ -110,7 +94,7 @@ public:
       }
       return values;
     }
-    const std::size_t end = std::min(this->Bytes.find_first_of("\n#", this->At), this->Bytes.size());
+    const std::size_t end = std::min(this->Bytes.find('\n', this->At), this->Bytes.size());
     const std::string_view line(this->Bytes.data() + this->At, end - this->At);
     std::vector<std::string_view> words;
     Words all(line);
@@ -130,43 +114,6 @@ public:
   }
 
   bool hasNormals = false, hasCoordinates = false, hasColours = false;
-
-private:
-  std::string_view word()
-  {
-    for (;;)
-    {
-      Words words(this->Bytes, this->At);
-      const std::string_view word = words.next();
-      if (word.empty() || word[0] != '#')
-      {
-        this->At = words.at();
-        return word;
-      }
-      const std::size_t end =
-        this->Bytes.find('\n', static_cast<std::size_t>(word.data() - this->Bytes.data()));
-      this->At = end == std::string::npos ? this->Bytes.size() : end;
-    }
-  }
-
-  std::uint32_t binary()
-  {
-    if (this->Bytes.size() - this->At < 4)
-    {
-      this->refuse("ends before all that its header announces; the file is truncated or damaged");
-    }
-    std::uint32_t value = 0;
-    for (int i = 0; i < 4; ++i)
-    {
-      value = value << 8 | static_cast<unsigned char>(this->Bytes[this->At++]);
-    }
-    return value;
-  }
-
-  std::string Path;
-  std::string Bytes;
-  std::size_t At = 0;
-  bool Binary = false;
 };
 
 // Colours as they come, three or four numbers each; some have none.
@@ -216,7 +163,7 @@ vtkSmartPointer<vtkDoubleArray> tuplesOf(const char* name, int components)
 }
 
 // The next tuple, where the file has such.
-void readOffTuple(Numbers& numbers, bool has, vtkDoubleArray* array)
+void readOffTuple(OffNumbers& numbers, bool has, vtkDoubleArray* array)
 {
   std::array<double, 3> tuple{};
   for (int k = 0; has && k < array->GetNumberOfComponents(); ++k)
@@ -233,7 +180,7 @@ void readOffTuple(Numbers& numbers, bool has, vtkDoubleArray* array)
 
 vtkSmartPointer<vtkPolyData> readOff(const std::string& path, Notes& notes)
 {
-  Numbers numbers(path);
+  OffNumbers numbers(path);
   const std::size_t count = numbers.count("the number of its points");
   const std::size_t faces = numbers.count("the number of its faces");
   numbers.whole("the number of its edges");
@@ -301,9 +248,7 @@ void writeOffNumbers(std::ostream& stream, vtkDataArray* array, vtkIdType at, in
 {
   for (int k = 0; array && k < count; ++k)
   {
-    char text[32];
-    std::snprintf(text, sizeof text, " %.17g", array->GetComponent(at, k));
-    stream << text;
+    stream << ' ' << array->GetComponent(at, k);
   }
 }
 
@@ -319,46 +264,38 @@ void writeOffColour(std::ostream& stream, vtkDataArray* colours, vtkIdType at)
   }
 }
 
-vtkDataArray* ofComponents(vtkDataArray* array, int components)
-{
-  return array && array->GetNumberOfComponents() >= components ? array : nullptr;
-}
-
 } // namespace
 
 void writeOff(vtkPolyData* mesh, const std::string& path)
 {
   std::ofstream stream(path, std::ios::binary);
-  vtkDataArray* normals = ofComponents(mesh->GetPointData()->GetNormals(), 3);
-  vtkDataArray* coordinates = ofComponents(mesh->GetPointData()->GetTCoords(), 2);
+  vtkDataArray* normals = usable(mesh->GetPointData()->GetNormals(), 3, mesh->GetNumberOfPoints());
+  vtkDataArray* coordinates = usable(mesh->GetPointData()->GetTCoords(), 2, mesh->GetNumberOfPoints());
   vtkDataArray* colours = coloursOf(mesh);
   vtkDataArray* ofFaces = faceColoursOf(mesh);
   stream << (coordinates ? "ST" : "") << (colours ? "C" : "") << (normals ? "N" : "") << "OFF\n"
-         << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n";
+         << mesh->GetNumberOfPoints() << ' ' << mesh->GetNumberOfPolys() << " 0\n"
+         << std::setprecision(17);
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double p[3];
     mesh->GetPoint(i, p);
-    char text[96];
-    std::snprintf(text, sizeof text, "%.17g %.17g %.17g", p[0], p[1], p[2]);
-    stream << text;
+    stream << p[0] << ' ' << p[1] << ' ' << p[2];
     writeOffNumbers(stream, normals, i, 3);
     writeOffColour(stream, colours, i);
     writeOffNumbers(stream, coordinates, i, 2);
     stream << '\n';
   }
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    stream << size;
-    for (vtkIdType k = 0; k < size; ++k)
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    stream << ids->GetNumberOfIds();
+    for (const vtkIdType id : *ids)
     {
-      stream << ' ' << ids[k];
+      stream << ' ' << id;
     }
-    writeOffColour(stream, ofFaces, it->GetCurrentCellId());
+    writeOffColour(stream, ofFaces, face);
     stream << '\n';
   }
   closeWhole(stream, path);

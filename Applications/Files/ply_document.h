@@ -2,27 +2,36 @@
 #ifndef oversketch_applications_files_ply_document_h
 #define oversketch_applications_files_ply_document_h
 
-#include "files.h"
+#include "number_file.h"
 
-#include <algorithm>
 #include <initializer_list>
-#include <string>
 #include <vector>
 
 namespace oversketch_files
 {
 
+// A type of numbers: its two names, and VTK's.
 struct PlyType
 {
-  char kind = 'f'; // i, u, f: signed, unsigned, floating
-  int size = 0;    // bytes
+  const char *name, *other;
+  int type;
 };
+constexpr PlyType plyTypes[] = { { "char", "int8", VTK_SIGNED_CHAR },
+  { "uchar", "uint8", VTK_UNSIGNED_CHAR },
+  { "short", "int16", VTK_SHORT },
+  { "ushort", "uint16", VTK_UNSIGNED_SHORT },
+  { "int", "int32", VTK_INT },
+  { "uint", "uint32", VTK_UNSIGNED_INT },
+  { "float", "float32", VTK_FLOAT },
+  { "double", "float64", VTK_DOUBLE } };
 
 struct PlyProperty
 {
   std::string name;
-  PlyType type;
-  PlyType count; // of a list; its size is 0 for a single value
+  int type = VTK_VOID;  // VTK's
+  int count = VTK_VOID; // of a list; so for a single value
+
+  bool isList() const { return this->count != VTK_VOID; }
 };
 
 struct PlyElement
@@ -55,7 +64,7 @@ struct PlyElement
 // The values of one row of an element: a single value is a list of one.
 using PlyRow = std::vector<std::vector<double>>;
 
-class PlyDocument
+class PlyDocument : public NumberFile
 {
 public:
   // Reads the header; throws Failed, as all members do.
@@ -65,26 +74,14 @@ public:
   // The names of pictures that the header gives (comment TextureFile).
   const std::vector<std::string>& pictures() const { return this->Pictures; }
 
-  [[noreturn]] void refuse(const std::string& why) const { throw Failed(this->Path + ": " + why); }
-
   void readRow(const PlyElement& element, PlyRow& row);
 
 private:
-  [[noreturn]] void refuseEnd() const;
-  std::string line();
-  PlyType typeOf(const std::string& name) const;
-  void readHeader();
-  void readElement(std::istream& words);
-  double value(PlyType type) { return this->Ascii ? this->word() : this->binary(type); }
+  int typeOf(std::string_view name) const;
+  void readElement(Words& words);
 
-  double word();
-  double binary(PlyType type);
-  std::string Path;
-  std::string Bytes;
-  std::size_t At = 0;
   std::vector<PlyElement> Elements;
   std::vector<std::string> Pictures;
-  bool Ascii = true, BigEndian = false;
 };
 
 } // namespace oversketch_files

@@ -15,9 +15,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <iomanip>
 #include <map>
@@ -29,14 +27,9 @@ namespace oversketch_files
 namespace
 {
 
-vtkSmartPointer<vtkDataArray> plyArray(PlyType type)
+bool isReal(int type)
 {
-  const int types[] = {
-    VTK_SIGNED_CHAR, VTK_SHORT, VTK_INT, VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT, VTK_UNSIGNED_INT
-  };
-  const int whole = types[(type.kind == 'u' ? 3 : 0) + (type.size == 1 ? 0 : type.size == 2 ? 1 : 2)];
-  const int real = type.size == 8 ? VTK_DOUBLE : VTK_FLOAT;
-  return vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type.kind == 'f' ? real : whole));
+  return type == VTK_FLOAT || type == VTK_DOUBLE;
 }
 
 // The properties of an element as arrays, filled row by row.
@@ -70,25 +63,24 @@ public:
   // array holds, but for those that are known.
   std::string takeRest(const std::vector<std::string>& known)
   {
-    std::string lists;
+    std::vector<std::string> lists;
     for (std::size_t k = 0; k < this->Taken.size(); ++k)
     {
       const PlyProperty& property = this->Of.properties[k];
-      const bool isKnown = std::count(known.begin(), known.end(), property.name) > 0;
-      if (this->Taken[k] || isKnown)
+      if (this->Taken[k] || std::count(known.begin(), known.end(), property.name) > 0)
       {
         continue;
       }
-      if (property.count.size == 0)
+      if (property.isList())
       {
-        this->Rest.push_back(this->add(plainName(property.name), { static_cast<int>(k) }));
+        lists.push_back(printable(property.name));
       }
       else
       {
-        lists += (lists.empty() ? "" : ", ") + printable(property.name);
+        this->Rest.push_back(this->add(plainName(property.name), { static_cast<int>(k) }));
       }
     }
-    return lists;
+    return listed(lists);
   }
 
   void store(vtkIdType at, const PlyRow& row)
@@ -98,16 +90,15 @@ public:
       for (std::size_t k = 0; k < column.places.size(); ++k)
       {
         const double value = number(row, column.places[k]), least = column.array->GetDataTypeMin();
-        const bool isReal =
-          column.array->GetDataType() == VTK_FLOAT || column.array->GetDataType() == VTK_DOUBLE;
         const double within = value >= least ? std::min(value, column.array->GetDataTypeMax()) : least;
-        column.array->SetComponent(at, static_cast<int>(k), isReal ? value : within);
+        column.array->SetComponent(
+          at, static_cast<int>(k), isReal(column.array->GetDataType()) ? value : within);
       }
     }
     for (const int place : this->Colours)
     {
-      const PlyType type = this->typeAt(place);
-      const double most = type.kind == 'f' ? 1.0 : type.size == 2 ? 65535.0 : 255.0;
+      const int type = this->typeAt(place);
+      const double most = isReal(type) ? 1.0 : vtkDataArray::GetDataTypeSize(type) == 2 ? 65535.0 : 255.0;
       this->Shares.push_back(number(row, place) / most);
     }
   }
@@ -132,7 +123,7 @@ private:
     vtkSmartPointer<vtkDataArray> array;
   };
 
-  PlyType typeAt(int place) const { return this->Of.properties[static_cast<std::size_t>(place)].type; }
+  int typeAt(int place) const { return this->Of.properties[static_cast<std::size_t>(place)].type; }
 
   static double number(const PlyRow& row, int place)
   {
@@ -143,18 +134,17 @@ private:
   // Several properties have one type, which holds the largest of them.
   vtkDataArray* add(const std::string& name, const std::vector<int>& places)
   {
-    PlyType type = this->typeAt(places[0]);
+    int type = places.size() > 1 ? VTK_FLOAT : this->typeAt(places[0]);
     for (const int place : places)
     {
+      const int own = this->typeAt(place);
       this->Taken[static_cast<std::size_t>(place)] = 1;
-      if (places.size() > 1)
+      if (places.size() > 1 && (own == VTK_DOUBLE || own == VTK_INT || own == VTK_UNSIGNED_INT))
       {
-        const bool isDouble = this->typeAt(place).size == 8 || (type.kind == 'f' && type.size == 8);
-        const bool isLong = this->typeAt(place).kind != 'f' && this->typeAt(place).size == 4;
-        type = { 'f', isDouble || isLong ? 8 : 4 };
+        type = VTK_DOUBLE;
       }
     }
-    Column column{ places, plyArray(type) };
+    Column column{ places, vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type)) };
     column.array->SetName(name.c_str());
     column.array->SetNumberOfComponents(static_cast<int>(places.size()));
     column.array->SetNumberOfTuples(static_cast<vtkIdType>(this->Of.count));
@@ -379,12 +369,7 @@ void dressPly(const PlyDocument& file,
   for (const std::string& name : file.pictures())
   {
     const auto beside = std::filesystem::absolute(path).parent_path() / name;
-    pictures.push_back(wholeFile(beside.string()));
-    if (!pictureOf(pictures.back()))
-    {
-      pictures.back().clear();
-      notes.push_back(path + ": the picture " + printable(name) + " is " + notAPicture);
-    }
+    pictures.push_back(pictureIn(beside.string(), name, path, notes));
   }
   if (pictures.empty())
   {
@@ -473,14 +458,9 @@ vtkSmartPointer<vtkPolyData> readPly(const std::string& path, Notes& notes)
   mesh->SetPolys(polys);
   fillCellArrays(mesh);
   dressPly(file, faces, path, mesh, notes);
-  std::string all;
-  for (const std::string& what : lost)
+  if (!lost.empty())
   {
-    all += (all.empty() ? "" : ", ") + what;
-  }
-  if (!all.empty())
-  {
-    notes.push_back(path + ": not kept: " + all);
+    notes.push_back(path + ": not kept: " + listed(lost));
   }
   return mesh;
 }

@@ -5,6 +5,7 @@
 #include "colours.h"
 #include "kept_arrays.h"
 #include "mesh_file.h"
+#include "ply_document.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -32,7 +33,7 @@ struct PlyColumn
   std::string name;
   vtkDataArray* array = nullptr;
   int component = 0;
-  const char* type = "double";
+  int type = VTK_DOUBLE; // VTK's
   bool isColour = false; // a byte, whatever the array holds
 
   double at(vtkIdType i) const
@@ -42,48 +43,21 @@ struct PlyColumn
   }
 };
 
-// What PLY calls the numbers of an array.
-const char* typeIn(vtkDataArray* array)
+// What PLY calls a type; whole numbers of eight bytes are doubles to it.
+PlyType plyType(int type)
 {
-  switch (array->GetDataType())
+  const auto* const it = std::find_if(std::begin(plyTypes),
+    std::end(plyTypes),
+    [own = type == VTK_CHAR ? VTK_SIGNED_CHAR : type](const PlyType& one) { return one.type == own; });
+  return it == std::end(plyTypes) ? plyTypes[7] : *it;
+}
+
+void putNumber(std::string& to, int type, double value)
+{
+  switch (type)
   {
-    case VTK_SIGNED_CHAR:
-    case VTK_CHAR:
-      return "char";
-    case VTK_UNSIGNED_CHAR:
-      return "uchar";
-    case VTK_SHORT:
-      return "short";
-    case VTK_UNSIGNED_SHORT:
-      return "ushort";
-    case VTK_INT:
-      return "int";
-    case VTK_UNSIGNED_INT:
-      return "uint";
-    case VTK_FLOAT:
-      return "float";
-    default:
-      return "double"; // also whole numbers of eight bytes
+    vtkTemplateMacro(put(to, static_cast<VTK_TT>(value)));
   }
-}
-
-template <typename T>
-void putAs(std::string& to, double value)
-{
-  const T number = static_cast<T>(value);
-  to.append(reinterpret_cast<const char*>(&number), sizeof number);
-}
-
-void putNumber(std::string& to, const std::string& type, double value)
-{
-  type == "char"     ? putAs<std::int8_t>(to, value)
-  : type == "uchar"  ? putAs<std::uint8_t>(to, value)
-  : type == "short"  ? putAs<std::int16_t>(to, value)
-  : type == "ushort" ? putAs<std::uint16_t>(to, value)
-  : type == "int"    ? putAs<std::int32_t>(to, value)
-  : type == "uint"   ? putAs<std::uint32_t>(to, value)
-  : type == "float"  ? putAs<float>(to, value)
-                     : putAs<double>(to, value);
 }
 
 void addTuple(vtkDataArray* array,
@@ -96,7 +70,8 @@ void addTuple(vtkDataArray* array,
   {
     if (array && component < array->GetNumberOfComponents())
     {
-      columns.push_back({ name, array, component++, isColour ? "uchar" : typeIn(array), isColour });
+      columns.push_back(
+        { name, array, component++, isColour ? VTK_UNSIGNED_CHAR : array->GetDataType(), isColour });
     }
   }
 }
@@ -133,7 +108,7 @@ void addRest(vtkPolyData* mesh, vtkDataSetAttributes* data, vtkIdType count, std
       made.push_back({ array->GetNumberOfComponents() == 1 ? name : name + '_' + std::to_string(k),
         array,
         k,
-        typeIn(array) });
+        array->GetDataType() });
       isNew = isNew && taken.count(made.back().name) == 0;
     }
     for (const PlyColumn& column : isNew ? made : std::vector<PlyColumn>())
@@ -169,8 +144,7 @@ std::vector<PlyColumn> faceColumns(vtkPolyData* mesh)
 
 vtkDataArray* coordinatesOf(vtkPolyData* mesh)
 {
-  vtkDataArray* coordinates = mesh->GetPointData()->GetTCoords();
-  return coordinates && coordinates->GetNumberOfComponents() >= 2 ? coordinates : nullptr;
+  return usable(mesh->GetPointData()->GetTCoords(), 2, mesh->GetNumberOfPoints());
 }
 
 // The points as vertices.
@@ -230,7 +204,7 @@ std::string headerOf(const std::vector<PlyColumn>& columns)
   std::string text;
   for (const PlyColumn& column : columns)
   {
-    text += std::string("property ") + column.type + ' ' + column.name + '\n';
+    text += std::string("property ") + plyType(column.type).name + ' ' + column.name + '\n';
   }
   return text;
 }
@@ -239,7 +213,7 @@ void putRow(std::string& to, const std::vector<PlyColumn>& columns, vtkIdType at
 {
   for (const PlyColumn& column : columns)
   {
-    putNumber(to, column.type, column.at(at));
+    putNumber(to, plyType(column.type).type, column.at(at));
   }
 }
 
@@ -271,8 +245,8 @@ void writePly(vtkPolyData* mesh,
   {
     addTuple(coordinates, { "u", "v" }, false, ofPoints);
   }
-  const vtkIdType most = mesh->GetPolys()->GetMaxCellSize();
-  const std::string counted = most < 128 ? "uchar" : "int";
+  const int counts = mesh->GetPolys()->GetMaxCellSize() < 128 ? VTK_UNSIGNED_CHAR : VTK_INT;
+  const std::string counted = plyType(counts).name;
   std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment Oversketch\n";
   for (const std::string& picture : pictures)
   {
@@ -291,24 +265,24 @@ void writePly(vtkPolyData* mesh,
   for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
     mesh->GetPolys()->GetCellAtId(face, ids);
-    putNumber(bytes, counted, static_cast<double>(ids->GetNumberOfIds()));
+    putNumber(bytes, counts, static_cast<double>(ids->GetNumberOfIds()));
     for (const vtkIdType id : *ids)
     {
-      putAs<std::int32_t>(bytes, static_cast<double>(vertices.of[static_cast<std::size_t>(id)]));
+      put(bytes, static_cast<std::int32_t>(vertices.of[static_cast<std::size_t>(id)]));
     }
     if (vertices.seams)
     {
       const bool textured =
         !std::all_of(ids->begin(), ids->end(), [&](vtkIdType id) { return isNowhere(coordinates, id); });
-      putNumber(bytes, counted, textured ? 2.0 * static_cast<double>(ids->GetNumberOfIds()) : 0.0);
+      putNumber(bytes, counts, textured ? 2.0 * static_cast<double>(ids->GetNumberOfIds()) : 0.0);
       for (vtkIdType k = 0; textured && k < 2 * ids->GetNumberOfIds(); ++k)
       {
-        putAs<float>(bytes, coordinates->GetComponent(ids->GetId(k / 2), static_cast<int>(k % 2)));
+        put(bytes, static_cast<float>(coordinates->GetComponent(ids->GetId(k / 2), static_cast<int>(k % 2))));
       }
     }
     if (!worn.empty())
     {
-      putAs<std::int32_t>(bytes, worn[static_cast<std::size_t>(face)]);
+      put<std::int32_t>(bytes, worn[static_cast<std::size_t>(face)]);
     }
     putRow(bytes, ofFaces, face);
   }

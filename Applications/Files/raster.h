@@ -7,10 +7,22 @@
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
 
+#include <cstdint>
 #include <string>
 
 namespace oversketch_files
 {
+
+constexpr int longestSide = 16384; // samples
+
+// Whether so few bytes can tell a picture of that size: decoders make what a header says of the first bytes
+// on, and no packing makes more than this of a byte.
+inline bool isPlausible(std::uint64_t width, std::uint64_t height, std::size_t bytes)
+{
+  constexpr std::uint64_t mostPixels = 8192;
+  return width > 0 && height > 0 && width <= longestSide && height <= longestSide &&
+         width * height <= mostPixels * bytes;
+}
 
 // GDAL's name of the format that such bytes have, "GTiff", "PNG", "BMP" or "WEBP"; "" for others.
 std::string rasterFormatOf(const std::string& bytes);

@@ -428,11 +428,11 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
     return mesh;
   }
   this->IsSolid = isSharp(mesh);
+  this->Faces = mesh->GetPolys();
+  this->Points = mesh->GetNumberOfPoints();
   if (!this->IsSolid)
   {
     this->Split = splitAlongLines(mesh, this->From);
-    this->Faces = mesh->GetPolys();
-    this->Points = mesh->GetNumberOfPoints();
     return this->Split ? this->Split : vtkSmartPointer<vtkPolyData>(mesh);
   }
   vtkNew<vtkIdTypeArray> numbers;
@@ -443,8 +443,6 @@ vtkSmartPointer<vtkPolyData> SharpEdges::look(vtkPolyData* mesh)
   numbered->ShallowCopy(mesh);
   numbered->GetPointData()->AddArray(numbers);
   this->Split = split(numbered);
-  this->Faces = mesh->GetPolys();
-  this->Points = mesh->GetNumberOfPoints();
   vtkPointData* data = this->Split->GetPointData();
   auto* from = vtkIdTypeArray::SafeDownCast(data->GetArray(numbers->GetName()));
   this->From->SetNumberOfIds(from->GetNumberOfValues());

@@ -11,8 +11,9 @@
 #include "vtkPoints.h"
 #include "vtkTriangle.h"
 
+#include <boost/functional/hash.hpp>
+
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -27,52 +28,29 @@ namespace
 
 using StlCorner = std::array<double, 3>;
 
-struct StlCornerHash
+std::size_t triangleCount(const std::string& bytes)
 {
-  std::size_t operator()(const StlCorner& corner) const
-  {
-    std::size_t hash = 0;
-    for (const double x : corner)
-    {
-      hash = hash * 1000003 ^ std::hash<double>()(x); // of -0 as of 0
-    }
-    return hash;
-  }
-};
-
-[[noreturn]] void refuseStl(const std::string& path, const std::string& why)
-{
-  throw Failed(path + ": " + why);
-}
-
-std::uint32_t triangleCount(const std::string& bytes)
-{
-  std::uint32_t count = 0;
-  if (bytes.size() >= 84)
-  {
-    std::memcpy(&count, bytes.data() + 80, 4);
-  }
-  return count;
+  return wholeAt(bytes, 80, 4, false);
 }
 
 // Some programs begin binary files with "solid", too: the size tells.
 bool isBinary(const std::string& bytes)
 {
   const std::string head = bytes.substr(0, 4096);
-  return bytes.size() == 84 + 50 * static_cast<std::size_t>(triangleCount(bytes)) ||
-         head.rfind("solid", 0) != 0 || head.find("facet") == std::string::npos;
+  return bytes.size() == 84 + 50 * triangleCount(bytes) || head.rfind("solid", 0) != 0 ||
+         head.find("facet") == std::string::npos;
 }
 
 std::vector<StlCorner> binaryCorners(const std::string& path, const std::string& bytes)
 {
-  const std::uint32_t count = triangleCount(bytes);
+  const std::size_t count = triangleCount(bytes);
   if (bytes.size() < 84 || (bytes.size() - 84) / 50 < count)
   {
-    refuseStl(path,
+    refuse(path,
       "announces " + std::to_string(count) +
         " triangles, but ends before; the file is truncated or not an STL file");
   }
-  std::vector<StlCorner> corners(3 * static_cast<std::size_t>(count));
+  std::vector<StlCorner> corners(3 * count);
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     std::array<float, 3> corner;
@@ -98,13 +76,12 @@ std::vector<double> binaryColours(const std::string& bytes)
   bool any = isMagics;
   for (std::size_t i = 0; i < triangleCount(bytes); ++i)
   {
-    std::uint16_t word = 0;
-    std::memcpy(&word, bytes.data() + 84 + 50 * i + 48, 2);
+    const std::uint64_t word = wholeAt(bytes, 84 + 50 * i + 48, 2, false);
     const bool own = (word >> 15 != 0) != isMagics;
     any = any || own;
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const int bits = word >> (isMagics ? 5 * k : 10 - 5 * k) & 31;
+      const auto bits = static_cast<double>(word >> (isMagics ? 5 * k : 10 - 5 * k) & 31);
       colours.push_back(own ? std::round(bits * 255.0 / 31.0) / 255.0 : usual[k]);
     }
   }
@@ -118,19 +95,15 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
   Words words(text);
   std::string_view line;
   bool ended = false; // with "endsolid"
-  for (std::size_t number = 1; words.line(line); ++number)
+  for (long number = 1; words.line(line); ++number)
   {
     const std::string where = "line " + std::to_string(number);
     Words in(line);
-    std::string keyword(in.next());
-    for (char& c : keyword)
-    {
-      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
+    const std::string keyword = lowerCase(in.next());
     ended = keyword == "endsolid" || (ended && keyword.empty());
     if ((keyword == "facet" || keyword == "endfacet" || keyword == "endsolid") && corners.size() % 3 != 0)
     {
-      refuseStl(path, "the triangle before " + where + " has not three corners; the file is damaged");
+      refuse(path, "the triangle before " + where + " has not three corners; the file is damaged");
     }
     if (keyword != "vertex")
     {
@@ -139,26 +112,20 @@ std::vector<StlCorner> textCorners(const std::string& path, const std::string& t
     StlCorner corner{};
     for (double& x : corner)
     {
-      const std::string_view word = in.next();
-      const std::optional<double> value = numberOf(word);
-      if (!value)
-      {
-        refuseStl(path, where + " has " + inQuotes(word) + " where a number should be; the file is damaged");
-      }
-      x = *value;
+      x = numberOf(in.next(), path, number);
     }
     corners.push_back(corner);
   }
   if (!ended)
   {
-    refuseStl(path, "ends without endsolid; the file is truncated");
+    refuse(path, "ends without endsolid; the file is truncated");
   }
   return corners;
 }
 
 } // namespace
 
-vtkSmartPointer<vtkPolyData> readStl(const std::string& path)
+vtkSmartPointer<vtkPolyData> readStl(const std::string& path, Notes&)
 {
   const std::string bytes = wholeFile(path);
   const bool binary = isBinary(bytes);
@@ -168,7 +135,7 @@ vtkSmartPointer<vtkPolyData> readStl(const std::string& path)
   vtkNew<vtkPoints> points;
   points->SetDataType(binary ? VTK_FLOAT : VTK_DOUBLE);
   vtkNew<vtkCellArray> polys;
-  std::unordered_map<StlCorner, vtkIdType, StlCornerHash> known;
+  std::unordered_map<StlCorner, vtkIdType, boost::hash<StlCorner>> known;
   for (std::size_t i = 0; i < corners.size(); i += 3)
   {
     std::array<vtkIdType, 3> ids{};
@@ -177,7 +144,7 @@ vtkSmartPointer<vtkPolyData> readStl(const std::string& path)
       const StlCorner& corner = corners[i + k];
       if (!std::isfinite(corner[0]) || !std::isfinite(corner[1]) || !std::isfinite(corner[2]))
       {
-        refuseStl(
+        refuse(
           path, "triangle " + std::to_string(i / 3) + " has a corner that is not finite; repair the file");
       }
       const auto [it, isNew] = known.emplace(corner, points->GetNumberOfPoints());
@@ -226,9 +193,7 @@ void writeStl(vtkPolyData* mesh, const std::string& path)
 {
   std::string bytes = "Oversketch";
   bytes.resize(80, ' ');
-  const auto put = [&bytes](const auto& value)
-  { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  put(static_cast<std::uint32_t>(mesh->GetNumberOfPolys()));
+  put(bytes, static_cast<std::uint32_t>(mesh->GetNumberOfPolys()));
   vtkDataArray* colours = faceColoursOf(mesh);
   vtkNew<vtkIdList> ids;
   for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
@@ -242,8 +207,10 @@ void writeStl(vtkPolyData* mesh, const std::string& path)
     vtkTriangle::ComputeNormal(p[0], p[1], p[2], normal);
     for (const double* tuple : { normal, p[0], p[1], p[2] })
     {
-      put(std::array<float, 3>{
-        static_cast<float>(tuple[0]), static_cast<float>(tuple[1]), static_cast<float>(tuple[2]) });
+      for (int k = 0; k < 3; ++k)
+      {
+        put(bytes, static_cast<float>(tuple[k]));
+      }
     }
     std::uint16_t word = 0; // as VisCAM and SolidView read it
     for (int k = 0; colours && k < 3; ++k)
@@ -251,7 +218,7 @@ void writeStl(vtkPolyData* mesh, const std::string& path)
       const auto bits = static_cast<unsigned>(std::lround(31.0 * colourShare(colours, face, k)));
       word = static_cast<std::uint16_t>(word | 1U << 15 | bits << (10 - 5 * k));
     }
-    put(word);
+    put(bytes, word);
   }
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;

@@ -1,5 +1,8 @@
 #include "texture.h"
 
+#include "raster.h"
+#include "text.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -28,20 +31,9 @@ const char* const notAPicture =
 namespace
 {
 
-std::uint32_t bigWord(const std::string& bytes, std::size_t at)
-{
-  std::uint32_t value = 0;
-  for (std::size_t k = 0; k < 4; ++k)
-  {
-    value = value << 8 | static_cast<unsigned char>(bytes[at + k]);
-  }
-  return value;
-}
-
 // The size that the first frame header of a JPEG tells; zeros where there is none.
-std::array<std::uint32_t, 2> sizeOfJpeg(const std::string& bytes)
+std::array<std::uint64_t, 2> sizeOfJpeg(const std::string& bytes)
 {
-  const auto half = [&bytes](std::size_t at) { return static_cast<std::uint32_t>(bigWord(bytes, at) >> 16); };
   for (std::size_t at = 2; at + 12 <= bytes.size();)
   {
     const auto marker = static_cast<unsigned char>(bytes[at + 1]);
@@ -53,34 +45,11 @@ std::array<std::uint32_t, 2> sizeOfJpeg(const std::string& bytes)
       marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
     if (isFrame)
     {
-      return { half(at + 7), half(at + 5) };
+      return { wholeAt(bytes, at + 7, 2, true), wholeAt(bytes, at + 5, 2, true) };
     }
-    at += marker == 0xff ? 1 : 2 + half(at + 2); // fill bytes may precede a marker
+    at += marker == 0xff ? 1 : 2 + wholeAt(bytes, at + 2, 2, true); // fill bytes may precede a marker
   }
   return { 0, 0 };
-}
-
-// Decoders make what a header says of the first bytes on; no packing makes more than this of a byte.
-bool isPlausible(const std::array<std::uint32_t, 2>& size, std::size_t bytes)
-{
-  constexpr std::uint32_t longest = 16384;
-  constexpr std::uint64_t mostPixels = 8192;
-  return size[0] > 0 && size[1] > 0 && size[0] <= longest && size[1] <= longest &&
-         std::uint64_t(size[0]) * size[1] <= mostPixels * bytes;
-}
-
-// Its errors are heard from itself: those that the process takes (takeError) may be another thread's.
-vtkSmartPointer<vtkImageData> updated(vtkImageReader2* reader)
-{
-  bool failed = false;
-  vtkNew<vtkCallbackCommand> hears;
-  hears->SetClientData(&failed);
-  hears->SetCallback([](vtkObject*, unsigned long, void* to, void*) { *static_cast<bool*>(to) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, hears);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, hears);
-  reader->Update();
-  const bool good = !failed && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
-  return good ? reader->GetOutput() : nullptr;
 }
 
 // By libpng's own simple interface: vtkPNGReader of VTK 9.1 crashes on most pictures that libpng refuses.
@@ -90,7 +59,7 @@ vtkSmartPointer<vtkImageData> readPng(const std::string& bytes)
   png.version = PNG_IMAGE_VERSION;
   const std::unique_ptr<png_image, void (*)(png_image*)> whole(&png, png_image_free);
   if (!png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) ||
-      !isPlausible({ png.width, png.height }, bytes.size()))
+      !isPlausible(png.width, png.height, bytes.size()))
   {
     return nullptr;
   }
@@ -109,7 +78,7 @@ vtkSmartPointer<vtkImageData> readPng(const std::string& bytes)
 }
 
 // From a file that lies in memory: of bytes in memory vtkJPEGReader reads on behind the end where a length is
-// wrong.
+// wrong. Its errors are heard from itself: those that the process takes (takeError) may be another thread's.
 vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
 {
   const int file = ::memfd_create("oversketch.jpeg", MFD_CLOEXEC);
@@ -117,15 +86,21 @@ vtkSmartPointer<vtkImageData> readJpeg(const std::string& bytes)
   std::ofstream stream(path, std::ios::binary);
   stream << bytes;
   stream.close();
-  vtkSmartPointer<vtkImageData> image;
-  if (file >= 0 && stream)
+  bool failed = file < 0 || !stream;
+  vtkNew<vtkCallbackCommand> hears;
+  hears->SetClientData(&failed);
+  hears->SetCallback([](vtkObject*, unsigned long, void* to, void*) { *static_cast<bool*>(to) = true; });
+  vtkNew<vtkJPEGReader> reader;
+  reader->AddObserver(vtkCommand::ErrorEvent, hears);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, hears);
+  reader->SetFileName(path.c_str());
+  if (!failed)
   {
-    vtkNew<vtkJPEGReader> reader;
-    reader->SetFileName(path.c_str());
-    image = updated(reader);
+    reader->Update();
   }
   ::close(file);
-  return image;
+  const bool good = !failed && reader->GetErrorCode() == 0 && reader->GetOutput()->GetNumberOfPoints() > 0;
+  return good ? reader->GetOutput() : nullptr;
 }
 
 } // namespace
@@ -167,11 +142,22 @@ vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes)
   {
     return readPng(bytes);
   }
-  if (format == "jpeg" && isPlausible(sizeOfJpeg(bytes), bytes.size()))
+  const auto [width, height] = sizeOfJpeg(bytes);
+  return format == "jpeg" && isPlausible(width, height, bytes.size()) ? readJpeg(bytes) : nullptr;
+}
+
+std::string pictureIn(const std::string& file,
+  const std::string& name,
+  const std::string& path,
+  std::vector<std::string>& notes)
+{
+  std::string bytes = wholeFile(file);
+  if (!pictureOf(bytes))
   {
-    return readJpeg(bytes);
+    bytes.clear();
+    notes.push_back(path + ": the picture " + printable(name) + " is " + notAPicture);
   }
-  return nullptr;
+  return bytes;
 }
 
 } // namespace oversketch_files

@@ -7,6 +7,7 @@
 #include "vtkSmartPointer.h"
 
 #include <string>
+#include <vector>
 
 namespace oversketch_files
 {
@@ -25,6 +26,11 @@ std::string pictureFormatOf(const std::string& bytes);
 // The picture; null where it cannot be read, is wider or higher than 16384 pixels, or says to be larger than
 // so few bytes can make it.
 vtkSmartPointer<vtkImageData> pictureOf(const std::string& bytes);
+// The bytes of one that the mesh file of the path names; "" where it cannot be read, which a note says.
+std::string pictureIn(const std::string& file,
+  const std::string& name,
+  const std::string& path,
+  std::vector<std::string>& notes);
 // What such bytes are, for messages: "no PNG or JPEG picture, …".
 extern const char* const notAPicture;
 

@@ -21,7 +21,6 @@
 #include "vtkZLibDataCompressor.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -36,35 +35,6 @@ namespace
 // What all arrays of a file may take in memory, against its size: deflate makes a thousand bytes of one, but
 // of no mesh.
 constexpr std::size_t mostInflation = 200, leastRoom = std::size_t(1) << 24;
-
-// The bytes that base64 text tells, up to its first padding or foreign character; white space is passed by.
-std::string bytesOfBase64(std::string_view text, std::size_t most)
-{
-  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text)
-  {
-    const std::size_t value = std::isspace(static_cast<unsigned char>(c)) != 0 ? 64 : letters.find(c);
-    if (value == std::string::npos || bytes.size() >= most)
-    {
-      break;
-    }
-    if (value == 64)
-    {
-      continue;
-    }
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count >= 8)
-    {
-      count -= 8;
-      bytes += static_cast<char>(bits >> count & 0xff);
-    }
-  }
-  return bytes;
-}
 
 int typeOf(const VtpDocument::Array& array)
 {
@@ -235,13 +205,7 @@ private:
 
   std::uint64_t word(const std::string& bytes, std::size_t at) const
   {
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < this->HeaderSize; ++i)
-    {
-      const std::size_t from = this->BigEndian ? i : this->HeaderSize - 1 - i;
-      value = value << 8 | static_cast<unsigned char>(bytes[at + from]);
-    }
-    return value;
+    return wholeAt(bytes, at, this->HeaderSize, this->BigEndian);
   }
 
   // The text or the bytes that hold an array of a binary encoding.

@@ -1,11 +1,16 @@
 // The module oversketch_raster, all that knows GDAL.
-#include "dataset.h"
 #include "raster.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <cpl_error.h>
+#include <cpl_vsi.h>
+#include <gdal.h>
+#include <gdal_frmts.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -16,6 +21,143 @@ namespace oversketch_files
 
 namespace
 {
+
+// Those alone that are asked for: all of GDAL's would take longer than to read most files.
+void registerFormats()
+{
+  GDALRegister_GTiff();
+  GDALRegister_PNG();
+  GDALRegister_BMP();
+  GDALRegister_WEBP();
+}
+
+GDALDataType gdalType(int type)
+{
+  switch (type)
+  {
+    case VTK_UNSIGNED_CHAR:
+      return GDT_Byte;
+    case VTK_UNSIGNED_SHORT:
+      return GDT_UInt16;
+    default:
+      return type == VTK_FLOAT ? GDT_Float32 : GDT_Float64;
+  }
+}
+
+// Whether decoding it makes no more than so many bytes can tell, block by block.
+bool isSmallEnough(GDALDatasetH data, std::size_t bytes)
+{
+  const int width = GDALGetRasterXSize(data), height = GDALGetRasterYSize(data);
+  if (width < 1 || height < 1 ||
+      !isPlausible(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), bytes) ||
+      GDALGetRasterCount(data) < 1)
+  {
+    return false;
+  }
+  int across = 0, down = 0;
+  GDALGetBlockSize(GDALGetRasterBand(data, 1), &across, &down);
+  return across <= 4 * longestSide && down <= 4 * longestSide;
+}
+
+// A file that GDAL has open, as long as this lives, which is on one thread and shorter than its bytes. GDAL
+// says nothing on its own meanwhile.
+class Dataset
+{
+public:
+  // Nothing but the head is read. `format`: as rasterFormatOf names it.
+  Dataset(const std::string& bytes, const char* format)
+  {
+    static const bool registered = (registerFormats(), true);
+    static std::atomic<std::uint64_t> count{ 0 };
+    CPLPushErrorHandler(CPLQuietErrorHandler); // of this thread
+    this->Name = "/vsimem/oversketch/" + std::to_string(++count);
+    auto* const first = reinterpret_cast<GByte*>(const_cast<char*>(bytes.data())); // read alone
+    VSILFILE* const file = VSIFileFromMemBuffer(this->Name.c_str(), first, bytes.size(), FALSE);
+    if (!registered || !file)
+    {
+      return;
+    }
+    VSIFCloseL(file);
+    const char* const formats[] = { format, nullptr };
+    const char* const beside[] = { nullptr }; // no file beside it is looked for
+    this->Data = GDALOpenEx(this->Name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, formats, nullptr, beside);
+    if (this->Data && !isSmallEnough(this->Data, bytes.size()))
+    {
+      GDALClose(this->Data);
+      this->Data = nullptr;
+    }
+  }
+  ~Dataset()
+  {
+    if (this->Data)
+    {
+      GDALClose(this->Data);
+    }
+    VSIUnlink(this->Name.c_str());
+    CPLPopErrorHandler();
+  }
+  Dataset(const Dataset&) = delete;
+  Dataset& operator=(const Dataset&) = delete;
+
+  // False where it is none of that format or damaged, where it says to be larger than 16384 samples a side or
+  // than so few bytes can make it, and where it has no samples.
+  bool isOpen() const { return this->Data != nullptr; }
+  int width() const { return GDALGetRasterXSize(this->Data); }
+  int height() const { return GDALGetRasterYSize(this->Data); }
+  int bands() const { return GDALGetRasterCount(this->Data); }
+  GDALDatasetH data() const { return this->Data; }
+  GDALRasterBandH band(int number) const { return GDALGetRasterBand(this->Data, number); } // from 1
+
+  // The first bands as scalars of VTK's `type`, rows from the bottom; null where the samples are damaged.
+  // `fromTop`: whether the file's first row is the uppermost one.
+  vtkSmartPointer<vtkImageData> samples(int type, int count, bool fromTop) const
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(this->width(), this->height(), 1);
+    image->AllocateScalars(type, count);
+    const GSpacing size = image->GetScalarSize(), stride = size * count * this->width();
+    auto* const lowest = static_cast<char*>(image->GetScalarPointer());
+    const CPLErr done = GDALDatasetRasterIOEx(this->Data,
+      GF_Read,
+      0,
+      0,
+      this->width(),
+      this->height(),
+      fromTop ? lowest + stride * (this->height() - 1) : lowest,
+      this->width(),
+      this->height(),
+      gdalType(type),
+      count,
+      nullptr, // the first ones
+      size * count,
+      fromTop ? -stride : stride,
+      size,
+      nullptr);
+    return done == CE_None ? image : nullptr;
+  }
+  // Reads a band of one byte a sample, such as a mask of the first, in the same order.
+  bool readBytes(GDALRasterBandH band, unsigned char* lowerLeft, bool fromTop) const
+  {
+    const GSpacing stride = this->width();
+    return GDALRasterIOEx(band,
+             GF_Read,
+             0,
+             0,
+             this->width(),
+             this->height(),
+             fromTop ? lowerLeft + stride * (this->height() - 1) : lowerLeft,
+             this->width(),
+             this->height(),
+             GDT_Byte,
+             1,
+             fromTop ? -stride : stride,
+             nullptr) == CE_None;
+  }
+
+private:
+  std::string Name;
+  GDALDatasetH Data = nullptr;
+};
 
 // Number of bands that count: the colours, where the file says that it is of these, else one.
 int heightBands(const Dataset& file)

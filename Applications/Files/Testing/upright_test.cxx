@@ -4,7 +4,6 @@
 #include "upright_picture.h"
 
 #include "files.h"
-#include "orientation.h"
 #include "texture.h"
 
 #include "vtkBMPWriter.h"

@@ -153,14 +153,4 @@ JsonReader JsonReader::object(const std::string& name) const
   return { this->get(name), this->Where + ", " + name, this->Verdict };
 }
 
-Json::Value jsonOf(const Point& point)
-{
-  Json::Value value(Json::arrayValue);
-  for (const double x : point)
-  {
-    value.append(x);
-  }
-  return value;
-}
-
 } // namespace oversketch_session

@@ -48,8 +48,17 @@ private:
   std::string Where, Verdict;
 };
 
-// A point as JSON.
-Json::Value jsonOf(const Point& point);
+// Numbers as JSON.
+template <typename Numbers>
+Json::Value jsonList(const Numbers& numbers)
+{
+  Json::Value list(Json::arrayValue);
+  for (const auto number : numbers)
+  {
+    list.append(number);
+  }
+  return list;
+}
 
 } // namespace oversketch_session
 #endif

@@ -7,7 +7,10 @@
 #include "texture.h"
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkMath.h"
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -94,7 +97,7 @@ void putCommon(Json::Value& json, const Node& node)
   }
   if (node.committed)
   {
-    json["section"]["middle"] = jsonOf(node.committed->middle);
+    json["section"]["middle"] = jsonList(node.committed->middle);
     json["section"]["length"] = node.committed->length;
   }
 }
@@ -133,13 +136,34 @@ Node commonOf(const JsonReader& json, Step& step)
   return node;
 }
 
-} // namespace
+constexpr double longestSide = 1e6; // px
 
-EntryReader::EntryReader(const Package& package, std::string path)
-  : Entries(package)
-  , Path(std::move(path))
+std::optional<std::array<int, 2>> viewSizeOf(const JsonReader& json)
 {
+  if (!json.has("size"))
+  {
+    return std::nullopt;
+  }
+  const std::vector<double> size = json.numbers("size");
+  const auto isLength = [](double length) { return length >= 1.0 && length <= longestSide; };
+  if (size.size() != 2 || !isLength(size[0]) || !isLength(size[1]))
+  {
+    json.refuse("size", "is not two numbers from 1 to 1,000,000");
+  }
+  return std::array<int, 2>{ static_cast<int>(size[0]), static_cast<int>(size[1]) };
 }
+
+int upAxisOf(const JsonReader& json)
+{
+  const double axis = json.has("up_axis") ? json.number("up_axis") : 1.0;
+  if (axis != 1.0 && axis != 2.0)
+  {
+    json.refuse("up_axis", "is neither 1 nor 2");
+  }
+  return static_cast<int>(axis);
+}
+
+} // namespace
 
 const std::shared_ptr<const std::string>& EntryReader::bytes(const std::string& entry) const
 {
@@ -214,15 +238,7 @@ Json::Value jsonOf(const Parameter& parameter, const Value& value)
     }
     Json::Value operator()(double number) const { return number; }
     Json::Value operator()(const std::string& text) const { return text; }
-    Json::Value operator()(const std::vector<double>& numbers) const
-    {
-      Json::Value list(Json::arrayValue);
-      for (const double number : numbers)
-      {
-        list.append(number);
-      }
-      return list;
-    }
+    Json::Value operator()(const std::vector<double>& numbers) const { return jsonList(numbers); }
   };
   return std::visit(Kinds{ parameter.choices }, value);
 }
@@ -299,11 +315,7 @@ Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const 
   }
   if (step.part)
   {
-    json["part"]["box"] = Json::arrayValue;
-    for (const double side : step.part->box)
-    {
-      json["part"]["box"].append(side);
-    }
+    json["part"]["box"] = jsonList(step.part->box);
     json["part"]["depth"] = step.part->depth;
   }
   for (const auto& [name, input] : step.inputs)
@@ -410,6 +422,62 @@ Json::Value jsonOf(const PartSource& part)
 PartSource partSourceOf(const JsonReader& json)
 {
   return { json.integer("step", 0, largestId), json.integer("part", 0, largest) };
+}
+
+Json::Value jsonOf(const Look& look)
+{
+  Json::Value json;
+  json["position"] = jsonList(look.position);
+  json["focus"] = jsonList(look.focus);
+  json["up"] = jsonList(look.up);
+  json["angle"] = look.angle;
+  json["height"] = look.height;
+  json["parallel"] = look.parallel;
+  json["shift"] = jsonList(look.shift);
+  if (look.size)
+  {
+    json["size"] = jsonList(*look.size);
+  }
+  if (look.upAxis != 1)
+  {
+    json["up_axis"] = look.upAxis;
+  }
+  return json;
+}
+
+Look lookOf(const JsonReader& json)
+{
+  const std::vector<double> shift = json.numbers("shift");
+  if (shift.size() != 2)
+  {
+    json.refuse("shift", "is not two numbers");
+  }
+  const Look look{ json.point("position"),
+    json.point("focus"),
+    json.point("up"),
+    json.number("angle"),
+    json.number("height"),
+    json.yes("parallel"),
+    { shift[0], shift[1] },
+    viewSizeOf(json),
+    upAxisOf(json) };
+  double along[3], across[3];
+  vtkMath::Subtract(look.focus.data(), look.position.data(), along);
+  vtkMath::Cross(along, look.up.data(), across);
+  if (!(vtkMath::Norm(across) > 1e-9 * vtkMath::Norm(along) * vtkMath::Norm(look.up.data())) ||
+      !std::isfinite(vtkMath::Norm(across)))
+  {
+    json.refuse("up", "is not across the line of sight");
+  }
+  if (!(look.angle > 0.0 && look.angle < 180.0))
+  {
+    json.refuse("angle", "is not between 0 and 180 degrees");
+  }
+  if (!(look.height > 0.0))
+  {
+    json.refuse("height", "is not above 0");
+  }
+  return look;
 }
 
 } // namespace oversketch_session

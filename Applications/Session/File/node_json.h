@@ -1,8 +1,9 @@
-// Steps and pictures of a session as JSON, in both versions of the format: see README.md beside this.
+// Steps and pictures of a session, and how it was looked at, as JSON: see README.md beside this.
 #ifndef oversketch_applications_session_file_node_json_h
 #define oversketch_applications_session_file_node_json_h
 
 #include "json_reader.h"
+#include "look.h"
 #include "package.h"
 #include "systems.h"
 
@@ -11,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace oversketch_session
@@ -42,9 +44,12 @@ class EntryReader
 {
 public:
   // The package must outlive this.
-  EntryReader(const Package& package, std::string path);
+  EntryReader(const Package& package, std::string path)
+    : Entries(package)
+    , Path(std::move(path))
+  {
+  }
 
-  const std::string& path() const { return this->Path; }
   const std::shared_ptr<const std::string>& bytes(const std::string& entry) const;
   Lines lines(const std::string& entry);
   // The bytes of a picture that can be read.
@@ -67,6 +72,10 @@ Picture pictureOf(const JsonReader& json, EntryReader& entries);
 
 Json::Value jsonOf(const PartSource& part);
 PartSource partSourceOf(const JsonReader& json);
+
+Json::Value jsonOf(const Look& look);
+// Throws oversketch_files::Failed where nothing could be seen so.
+Look lookOf(const JsonReader& json);
 
 } // namespace oversketch_session
 #endif

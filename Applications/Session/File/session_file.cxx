@@ -2,7 +2,6 @@
 
 #include "files.h"
 #include "heights.h"
-#include "look_json.h"
 #include "mesh_file.h"
 #include "models.h"
 #include "node_json.h"
@@ -12,7 +11,6 @@
 #include "vtkOversketchSystem.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -142,27 +140,14 @@ std::string digestOf(vtkPolyData* mesh)
     digest.add(points->GetVoidPointer(0),
       static_cast<std::size_t>(points->GetNumberOfValues() * points->GetDataTypeSize()));
   }
-  constexpr std::size_t atOnce = std::size_t(1) << 16;
-  std::vector<long long> polygons;
-  const auto addPolygons = [&]
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType face = 0; face < mesh->GetNumberOfPolys(); ++face)
   {
-    digest.add(polygons.data(), polygons.size() * sizeof(long long));
-    polygons.clear();
-  };
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    it->GetCurrentCell(size, ids);
-    polygons.push_back(size);
-    polygons.insert(polygons.end(), ids, ids + size);
-    if (polygons.size() >= atOnce)
-    {
-      addPolygons();
-    }
+    mesh->GetPolys()->GetCellAtId(face, ids);
+    const vtkIdType size = ids->GetNumberOfIds();
+    digest.add(&size, sizeof size);
+    digest.add(ids->begin(), static_cast<std::size_t>(size) * sizeof size);
   }
-  addPolygons();
   return digest.text();
 }
 
