@@ -51,6 +51,8 @@
 #include <memory>
 #include <string>
 
+class vtkImageData;
+
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchInflate : public vtkPolyDataAlgorithm
 {
 public:

@@ -47,6 +47,8 @@ class Layers;
 struct ShadedArea;
 }
 
+class vtkImageData;
+
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchShadingLevels : public vtkPolyDataAlgorithm
 {
 public:
