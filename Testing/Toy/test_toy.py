@@ -1,5 +1,6 @@
 """A newcomer's first day, followed to the letter: to a copy of the sources a filter with a kernel and a room of its own is added
-(CONTRIBUTING.md, "Add a filter"), and a system over it that takes two strokes and a picture ("Add a system"); both are built
+(CONTRIBUTING.md, "Add a filter"), and a system over it that takes two strokes and a picture, with a tool whose hand
+the mesh follows ("Add a system"); both are built
 and run from the command, a session, Python, the window and in ParaView's description. What had to be touched outside the new
 folders is printed: two files, the list of systems and the list of tools.
 
@@ -256,9 +257,20 @@ def test_the_window_s_tool_draws_it(window, build, given, tmp_path):
     for x in (-60, 60):
         middle = view.middle
         shown.desk.drag([(middle[0] + x, middle[1] + y) for y in range(-120, 121, 8)])
-    folder, document = until(shown.kept, "a step of two lines")
-    (step,) = document["steps"]
+    _, drawn = until(shown.kept, "a step of two lines")
+    (step,) = drawn["steps"]
     assert step["system"] == NAME and sorted(step["inputs"]) == ["Brightness", "FirstStroke", "SecondStroke"]
+    # Its own hand: the wheel pushes further, and the step with it.
+    shown.desk.hold("ctrl")
+    shown.desk.click(*view.middle, button=4)
+    shown.desk.hold("ctrl", False)
+
+    def pushed():
+        kept = shown.kept()
+        return kept if kept and kept[1]["steps"][0].get("values", {}).get("Length", 0) > 0.05 else None
+    folder, document = until(pushed, "a step that pushes further")
+    assert abs(document["steps"][0]["values"]["Length"] - 0.055) < 1e-9
+    assert document["result_md5"] != drawn["result_md5"]
     out = tmp_path / "out.vtp"
     run(build / "bin" / "oversketch", "replay", folder, "-o", out)
     assert bits.digest(read(vtkXMLPolyDataReader(), out)) == document["result_md5"]

@@ -1,12 +1,19 @@
 #include "push_tool.h"
 
 #include "document.h"
+#include "picture_files.h"
+#include "systems.h"
 #include "viewport.h"
 
 #include "vtkOversketchStrokeWidget.h"
+#include "vtkOversketchSystem.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
+
+#include <cmath>
 
 namespace oversketch_studio
 {
@@ -58,7 +65,8 @@ QPainterPath PushTool::icon() const
 
 QVector<QPair<QString, QString>> PushTool::keys() const
 {
-  return { { tr("Left drag"), tr("draw the first line, then the second") } };
+  return { { tr("Left drag"), tr("draw the first line, then the second") },
+    { tr("Ctrl + wheel"), tr("push further") } };
 }
 
 QString PushTool::advice(const Situation&) const
@@ -81,6 +89,44 @@ void PushTool::stop()
 bool PushTool::draws() const
 {
   return this->Pen->IsDrawing();
+}
+
+void PushTool::offer(const Step& step, const Worker::NodeState& state, const Point&)
+{
+  this->Offered = step;
+  const SystemRow& row = *findSystem(this->system());
+  this->Hand = row.make();
+  for (const SystemInput& input : row.inputs)
+  {
+    const auto given = step.inputs.find(input.name);
+    const Image* image = given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
+    const SharedPicture picture = image ? decoded(image->bytes) : nullptr;
+    vtkSmartPointer<vtkDataObject> data = linesOf(step, input.name);
+    data = picture ? vtkSmartPointer<vtkDataObject>(picture->pixels) : data;
+    data = input.kind == SystemInput::Kind::Mesh ? vtkSmartPointer<vtkDataObject>(state.before.own()) : data;
+    this->Hand->SetInputDataObject(input.port, data);
+  }
+  for (const Parameter& one : row.parameters)
+  {
+    one.set(this->Hand, valueOf(step, one));
+  }
+}
+
+bool PushTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong)
+{
+  if (!this->Offered || modifiers != Qt::ControlModifier)
+  {
+    return false;
+  }
+  const Parameter& length = *findParameter(*findSystem(this->system()), "Length");
+  Value& value = this->Offered->values["Length"];
+  value = std::get<double>(length.get(this->Hand)) * std::pow(1.1, notches);
+  length.set(this->Hand, value);
+  this->Hand->Update();
+  this->View->showPreview(this->Hand->GetOutput());
+  this->View->renderSoon();
+  emit this->shaped(this->Offered->values, true);
+  return true;
 }
 
 void PushTool::strokeEnds()
