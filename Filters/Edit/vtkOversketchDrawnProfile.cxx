@@ -3,7 +3,7 @@
 #include "Stroke/canvas.h"
 #include "Stroke/polyline.h"
 #include "Stroke/resample.h"
-#include "Stroke/self_crossing.h"
+#include "Stroke/meetings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchStrokeView.h"
 

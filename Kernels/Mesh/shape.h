@@ -1,4 +1,4 @@
-// How narrow a triangle is.
+// What triangles cover, and how narrow they are.
 #ifndef oversketch_kernels_mesh_shape_h
 #define oversketch_kernels_mesh_shape_h
 
@@ -9,6 +9,12 @@
 
 namespace oversketch
 {
+
+// Twice the area between two sides of a triangle, positive where b is to the left of a.
+inline double cross(const Vector2& a, const Vector2& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
 
 // The sine squared of the smallest angle, 0 for a triangle without area; cross is twice the area times the
 // normal.

@@ -1,6 +1,6 @@
 #include "Raster/classify.h"
 
-#include "Raster/meetings.h"
+#include "Stroke/meetings.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "Silhouette/visibility.h"
 
-#include "Silhouette/crossings.h"
 #include "Silhouette/occlusion.h"
+#include "Stroke/meetings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -195,10 +195,16 @@ private:
         if (track.onScreen(i) && track.onScreen(j))
         {
           segments.push_back({ c, i, j, track.screen[i].head<2>(), track.screen[j].head<2>() });
+          if (!segments.back().from.allFinite() || !segments.back().to.allFinite())
+          {
+            throw Error(Failure::BadStroke,
+              "A curve of the outline has no place in the picture: it passes through the plane of the "
+              "camera, or the mesh or the view is damaged. Draw the stroke in a view from farther away.");
+          }
         }
       }
     }
-    const std::vector<Crossing> crossings = findCrossings(segments);
+    const std::vector<Crossing> crossings = findCrossings(segments, this->Caller);
     auto crossing = crossings.begin();
     for (int c = 0; c < static_cast<int>(this->Tracks.size()); ++c)
     {
