@@ -6,7 +6,7 @@
 #include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
-#include "Planar/face_edges.h"
+#include "Mesh/shape.h"
 
 #include <gtest/gtest.h>
 

@@ -16,6 +16,18 @@ inline double cross(const Vector2& a, const Vector2& b)
   return a[0] * b[1] - a[1] * b[0];
 }
 
+// [rad] From a to b, positive to the left.
+inline double turnAngle(const Vector2& a, const Vector2& b)
+{
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+// What the counter-clockwise triangle a, b, c covers; negative for a clockwise one.
+inline double signedArea(const Vector2& a, const Vector2& b, const Vector2& c)
+{
+  return 0.5 * cross(b - a, c - a);
+}
+
 // The sine squared of the smallest angle, 0 for a triangle without area; cross is twice the area times the
 // normal.
 inline double narrowness(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& cross)

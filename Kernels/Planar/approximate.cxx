@@ -183,11 +183,7 @@ bool holds(const PieceList& list, const Vector2& place)
   bool inside = false;
   for (const Piece& piece : list.pieces())
   {
-    const Vector2 &a = list.sample(piece.from), &b = list.sample(piece.to);
-    if ((a[1] > place[1]) != (b[1] > place[1]))
-    {
-      inside = (place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])) != inside;
-    }
+    inside ^= passesRight(place, list.sample(piece.from), list.sample(piece.to));
   }
   return inside;
 }

@@ -1,5 +1,6 @@
 #include "Raster/classify.h"
 
+#include "Mesh/shape.h"
 #include "Stroke/meetings.h"
 
 #include <Eigen/Geometry>
@@ -30,7 +31,7 @@ struct Outline
     for (std::size_t i = 0; i < this->points.size(); ++i)
     {
       const Vector2 p = this->points[i] - first, q = this->points[(i + 1) % this->points.size()] - first;
-      this->area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+      this->area += 0.5 * cross(p, q);
       this->box.extend(this->points[i]);
     }
     this->area = std::abs(this->area);
@@ -45,12 +46,7 @@ struct Outline
     bool inside = false;
     for (std::size_t i = 0, j = this->points.size() - 1; i < this->points.size(); j = i++)
     {
-      const Vector2 &a = this->points[i], &b = this->points[j];
-      if ((a[1] > place[1]) != (b[1] > place[1]))
-      {
-        const double x = a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1]);
-        inside = (place[0] < x) != inside;
-      }
+      inside ^= passesRight(place, this->points[i], this->points[j]);
     }
     return inside;
   }

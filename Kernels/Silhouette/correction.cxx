@@ -61,7 +61,7 @@ std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
     {
       continue;
     }
-    const double along = lengths[goal.segment] + goal.t * (lengths[goal.segment + 1] - lengths[goal.segment]);
+    const double along = goal.along(lengths);
     const double relative = along / lengths.back();
     if (relative >= omega && relative <= 1.0 - omega)
     {

@@ -1,5 +1,7 @@
 #include "Silhouette/targets.h"
 
+#include "Mesh/shape.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -342,8 +344,7 @@ std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
     {
       // The offset stands across the curve: where the stroke bends the limb, it turns along.
       const Vector2 from = directionAt(curve, along, along[j]), to = directionAt(stroke, strokeAlong, length);
-      const double cosine = from.dot(to), sine = from[0] * to[1] - from[1] * to[0],
-                   norm = std::hypot(cosine, sine);
+      const double cosine = from.dot(to), sine = cross(from, to), norm = std::hypot(cosine, sine);
       if (norm > 0.0)
       {
         offset = Vector2(cosine * offset[0] - sine * offset[1], sine * offset[0] + cosine * offset[1]) / norm;

@@ -13,7 +13,6 @@ namespace oversketch
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double samePlace = 1e-9; // of a segment: a crossing this near to its end is its end
 
 // A curve on its way through the steps: its points on screen, and where it is to be cut.
@@ -99,7 +98,7 @@ private:
 
   void markCuspsAndEyePlane(Track& track) const
   {
-    const double limit = std::cos(this->Options.cuspAngle * pi / 180.0);
+    const double limit = std::cos(this->Options.cuspAngle * M_PI / 180.0);
     const int n = track.size();
     for (int i = 0; i < n; ++i)
     {
