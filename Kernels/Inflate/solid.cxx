@@ -71,8 +71,8 @@ void requireSealable(const PlanarMesh& mesh)
   }
 }
 
-// The mesh on both sides of its plane, as far off as `heights` say, the points of rims shared where it is sealed.
-// front: of each point of the mesh that of the front, -1 for one without a face.
+// The mesh on both sides of its plane, as far off as `heights` say, the points of rims shared where it is
+// sealed. front: of each point of the mesh that of the front, -1 for one without a face.
 Solid bothSides(const PlanarMesh& mesh,
   const std::vector<double>& heights,
   bool isSealed,
