@@ -1,9 +1,9 @@
 #include "vtkOversketchDrawnProfile.h"
 
 #include "Stroke/canvas.h"
+#include "Stroke/meetings.h"
 #include "Stroke/polyline.h"
 #include "Stroke/resample.h"
-#include "Stroke/self_crossing.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchStrokeView.h"
 

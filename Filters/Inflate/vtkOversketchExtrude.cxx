@@ -1,6 +1,6 @@
 #include "vtkOversketchExtrude.h"
 
-#include "Inflate/extrude.h"
+#include "Inflate/solid.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchPlanarTools.h"

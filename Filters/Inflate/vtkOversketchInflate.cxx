@@ -3,7 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Inflate/heights.h"
-#include "Inflate/inflate.h"
+#include "Inflate/solid.h"
 #include "Inflate/swap_edges.h"
 #include "Inflate/unstretch.h"
 #include "Raster/grid_smoothing.h"

@@ -2,7 +2,7 @@
 
 #include "vtkOversketchFilterTools.h"
 
-#include "Inflate/texture.h"
+#include "Stroke/canvas.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
 

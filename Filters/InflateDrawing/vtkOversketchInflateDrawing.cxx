@@ -1,6 +1,6 @@
 #include "vtkOversketchInflateDrawing.h"
 
-#include "Planar/splits.h"
+#include "Planar/refine.h"
 #include "vtkOversketchArrange.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchClassify.h"

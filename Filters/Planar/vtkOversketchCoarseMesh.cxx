@@ -2,8 +2,7 @@
 
 #include "vtkOversketchFilterTools.h"
 
-#include "Planar/relax.h"
-#include "Planar/terminal.h"
+#include "Planar/coarse_faces.h"
 #include "Planar/triangulate.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchPlanarTools.h"

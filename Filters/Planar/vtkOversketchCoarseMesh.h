@@ -3,11 +3,11 @@
  * @brief the coarse mesh of a drawing: the constrained Delaunay triangulation of its polylines
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.2, Fig. 8. Readings and departures
- * (Kernels/Planar/triangulate.h and terminal.h): triangles with at least two edges on the rim are divided,
- * which is what the doubled surface needs, rather than all of three boundary vertices (TerminalRule); ties
- * are decided so that the mesh does not depend on the strokes' order; faces of holes are left out; points
- * inside make room for triangles of good shape (Relax). Not CGAL's, which is under the GPL: ours, on CGAL's
- * exact predicates.
+ * (Kernels/Planar/triangulate.h and coarse_faces.h): triangles with at least two edges on the rim are
+ * divided, which is what the doubled surface needs, rather than all of three boundary vertices
+ * (TerminalRule); ties are decided so that the mesh does not depend on the strokes' order; faces of holes are
+ * left out; points inside make room for triangles of good shape (Relax). Not CGAL's, which is under the GPL:
+ * ours, on CGAL's exact predicates.
  *
  * Input 0 (Polylines): those of vtkOversketchPolyline.
  * Input 1 (Darts, optional): further points, those of vtkOversketchDarts; its cells are not read.
@@ -80,7 +80,7 @@ public:
   ///@{
   /**
    * Move points that lie on no stroke to where the triangles round them are of better shape
-   * (Kernels/Planar/relax.h) [default on; not as published].
+   * (Kernels/Planar/coarse_faces.h) [default on; not as published].
    */
   vtkSetMacro(Relax, bool);
   vtkGetMacro(Relax, bool);

@@ -1,6 +1,6 @@
 #include "vtkOversketchQuadMerge.h"
 
-#include "Planar/merge_quads.h"
+#include "Planar/coarse_faces.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchPlanarTools.h"
 

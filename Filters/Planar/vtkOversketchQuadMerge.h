@@ -4,7 +4,7 @@
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.4, Fig. 10: greedy merging, after which triangles
  * may remain; one level of refinement makes quads of all. The measure of a quad is ours
- * (Kernels/Planar/merge_quads.h). No quad has two edges of the rim that meet, and with
+ * (Kernels/Planar/coarse_faces.h). No quad has two edges of the rim that meet, and with
  * vtkOversketchCoarseMesh's TerminalRule TwoBoundaryEdges no triangle has, so that the surface stays one when
  * its quads are cut into triangles, whichever way.
  *

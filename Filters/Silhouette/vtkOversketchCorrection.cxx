@@ -1,6 +1,6 @@
 #include "vtkOversketchCorrection.h"
 
-#include "Silhouette/correction.h"
+#include "Silhouette/targets.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"

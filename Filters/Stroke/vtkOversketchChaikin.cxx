@@ -1,6 +1,7 @@
 #include "vtkOversketchChaikin.h"
 
-#include "Stroke/chaikin.h"
+#include "Stroke/resample.h"
+#include "Stroke/stroke.h"
 #include "vtkOversketchStrokeTools.h"
 
 #include "vtkInformation.h"

@@ -1,6 +1,6 @@
 #include "vtkOversketchStrokeThinning.h"
 
-#include "Stroke/thinning.h"
+#include "Stroke/resample.h"
 #include "vtkOversketchStrokeTools.h"
 
 #include "vtkInformation.h"

@@ -5,7 +5,7 @@
 #include "Harness/inflation_chain.h"
 #include "Harness/shapes.h"
 #include "Harness/solid_shape.h"
-#include "Inflate/inflate.h"
+#include "Inflate/solid.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,11 @@
-// A surface made of a drawing's mesh: its front, its back and the walls between them.
+// A surface made of a drawing's mesh: its front, its back and the walls between them. Inflation pushes the
+// mesh out to both sides and seals it at its rim; extrusion moves it to both sides, with walls between.
 #ifndef oversketch_kernels_inflate_solid_h
 #define oversketch_kernels_inflate_solid_h
 
+#include "Inflate/sheet.h"
 #include "Mesh/mesh.h"
+#include "Planar/planar_mesh.h"
 
 #include <array>
 #include <vector>
@@ -34,6 +37,35 @@ struct Solid
   std::vector<SolidPoint> points;
   std::vector<SolidFace> faces;
 };
+
+// Joins a border of the front to that of the back by `rows` rows of quads, each two triangles where the face
+// that the wall hangs on is one. Points between are equally spaced; all diagonals run the same way, so that
+// points within the wall have six edges, four with quads. twins: of each point of the border that of the
+// back.
+void addWall(Solid& solid, const std::vector<BorderEdge>& border, const std::vector<int>& twins, int rows);
+
+// Source: image-assisted modelling, section 12: M_front = M_p + heights and M_back = M_p - heights with its
+// faces turned, no faces between them; points of a rim are shared. Points come in M_p's order, front and rim
+// first, then the back; faces likewise. Points without a face are left out. heights: of heightsOf.
+//
+// Throws Error(Failure::BadMesh), naming points, for a mesh whose borders are not its rims (a hole that is
+// not trimmed, a border of another kind), for an edge or face inside it whose corners all lie on rims and for
+// a quad with two opposite corners on rims: front and back would coincide there, of the quad when it is cut
+// into triangles; one more refinement removes the former, mergeQuads after repairTerminals makes none.
+Solid inflate(const PlanarMesh& mesh, const std::vector<double>& heights);
+
+enum class WallRows
+{
+  Refined, // 2^k rows after k refinements: 2 4^k triangles, 4^k quads for each border edge of the coarse mesh
+  One
+};
+
+// Source: image-assisted modelling, section 13: all points at +depth and -depth, not shared, joined by walls
+// at all rims. The printed count of the walls' faces, "2k triangles (k quads)", is 0 for k = 0: exponents
+// were lost in print; what refinement makes of 2 triangles (1 quad) is meant here. One is the other reading
+// of it, 2 2^k. Points: the front's, the back's, the walls'. Throws Error(Failure::BadStroke) for a depth
+// that is not above 0, Error(Failure::BadMesh) as borderOf and edgesBetweenBasePoints do.
+Solid extrude(const PlanarMesh& mesh, double depth, WallRows rows);
 
 } // namespace oversketch
 #endif

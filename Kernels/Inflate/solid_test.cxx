@@ -2,11 +2,11 @@
 #include "Harness/inflation_chain.h"
 #include "Harness/shapes.h"
 #include "Harness/solid_shape.h"
-#include "Inflate/extrude.h"
+#include "Inflate/solid.h"
 #include "Inflate/swap_edges.h"
 #include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
-#include "Planar/face_edges.h"
+#include "Mesh/shape.h"
 
 #include <gtest/gtest.h>
 

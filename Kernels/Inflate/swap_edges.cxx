@@ -1,7 +1,6 @@
 #include "Inflate/swap_edges.h"
 
 #include "Mesh/shape.h"
-#include "Planar/face_edges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "Inflate/tunnel.h"
 
-#include "Inflate/wall.h"
+#include "Inflate/solid.h"
 #include "Mesh/context.h"
 #include "Planar/trim.h"
 

@@ -1,5 +1,6 @@
 #include "Inflate/unstretch.h"
 
+#include "Mesh/shape.h"
 #include "Planar/guard.h"
 
 #include <algorithm>
@@ -188,8 +189,8 @@ Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const
         for (int k = 0; k < face.count(); ++k)
         {
           // Of a quad those that its diagonals cut off.
-          const Vector2 a = at(k), b = at(k + 1), c = at(k + 2), u = b - a, v = c - a;
-          least[f] = std::min(least[f], std::atan2(u[0] * v[1] - u[1] * v[0], u.dot(v)));
+          const Vector2 a = at(k);
+          least[f] = std::min(least[f], turnAngle(at(k + 1) - a, at(k + 2) - a));
         }
       }
     });

@@ -1,4 +1,4 @@
-// How narrow a triangle is.
+// What triangles cover, and how narrow they are.
 #ifndef oversketch_kernels_mesh_shape_h
 #define oversketch_kernels_mesh_shape_h
 
@@ -9,6 +9,24 @@
 
 namespace oversketch
 {
+
+// Twice the area between two sides of a triangle, positive where b is to the left of a.
+inline double cross(const Vector2& a, const Vector2& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+// [rad] From a to b, positive to the left.
+inline double turnAngle(const Vector2& a, const Vector2& b)
+{
+  return std::atan2(cross(a, b), a.dot(b));
+}
+
+// What the counter-clockwise triangle a, b, c covers; negative for a clockwise one.
+inline double signedArea(const Vector2& a, const Vector2& b, const Vector2& c)
+{
+  return 0.5 * cross(b - a, c - a);
+}
 
 // The sine squared of the smallest angle, 0 for a triangle without area; cross is twice the area times the
 // normal.

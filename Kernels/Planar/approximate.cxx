@@ -3,8 +3,7 @@
 #include "Planar/pieces.h"
 #include "Planar/predicates.h"
 #include "Planar/stroke_line.h"
-
-#include <Eigen/Geometry>
+#include "Stroke/meetings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -146,9 +145,9 @@ std::vector<Fault> crossings(const Drafts& drafts)
 {
   struct Segment
   {
-    Eigen::AlignedBox2d box;
-    Vector2 a, b;
+    SegmentEnds ends;
     std::array<int, 2> piece;
+    double least() const { return std::min(this->ends[0][0], this->ends[1][0]); }
   };
   std::vector<Segment> segments;
   for (std::size_t i = 0; i < drafts.size(); ++i)
@@ -156,27 +155,25 @@ std::vector<Fault> crossings(const Drafts& drafts)
     for (std::size_t k = 0; drafts[i] && k < drafts[i]->pieces().size(); ++k)
     {
       const Piece& piece = drafts[i]->pieces()[k];
-      const Vector2 a = drafts[i]->sample(piece.from), b = drafts[i]->sample(piece.to);
-      Eigen::AlignedBox2d box(a);
-      segments.push_back({ box.extend(b), a, b, { static_cast<int>(i), static_cast<int>(k) } });
+      segments.push_back({ { drafts[i]->sample(piece.from), drafts[i]->sample(piece.to) },
+        { static_cast<int>(i), static_cast<int>(k) } });
     }
   }
   std::stable_sort(segments.begin(),
     segments.end(),
-    [](const Segment& s, const Segment& t) { return s.box.min()[0] < t.box.min()[0]; });
+    [](const Segment& s, const Segment& t) { return s.least() < t.least(); });
+  std::vector<SegmentEnds> ends;
+  std::transform(
+    segments.begin(), segments.end(), std::back_inserter(ends), [](const Segment& s) { return s.ends; });
   std::vector<Fault> faults;
-  for (std::size_t i = 0; i < segments.size(); ++i)
-  {
-    const Segment& s = segments[i];
-    for (std::size_t j = i + 1; j < segments.size() && segments[j].box.min()[0] <= s.box.max()[0]; ++j)
+  forEachNear(ends,
+    [&](int i, int j)
     {
-      const Segment& t = segments[j];
-      if (s.box.intersects(t.box) && segmentsMeet(s.a, s.b, t.a, t.b))
+      if (segmentsMeet(ends[i][0], ends[i][1], ends[j][0], ends[j][1]))
       {
-        faults.push_back({ s.piece, t.piece });
+        faults.push_back({ segments[i].piece, segments[j].piece });
       }
-    }
-  }
+    });
   return faults;
 }
 
@@ -186,11 +183,7 @@ bool holds(const PieceList& list, const Vector2& place)
   bool inside = false;
   for (const Piece& piece : list.pieces())
   {
-    const Vector2 &a = list.sample(piece.from), &b = list.sample(piece.to);
-    if ((a[1] > place[1]) != (b[1] > place[1]))
-    {
-      inside = (place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])) != inside;
-    }
+    inside ^= passesRight(place, list.sample(piece.from), list.sample(piece.to));
   }
   return inside;
 }

@@ -18,7 +18,7 @@ enum class DeltaMode
 struct ApproximationRules
 {
   DeltaMode mode = DeltaMode::Adaptive;
-  double cornerAngle = 0.78539816339744831; // rad, see corners.h
+  double cornerAngle = 0.78539816339744831; // rad, see pieces.h
   double tolerance = 0.05;                  // of L: delta where it is fixed, and its upper bound
   double joinDistance = 0.01;               // of L: open ends so near a rim join it; 0: none does
 };

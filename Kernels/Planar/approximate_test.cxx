@@ -1,7 +1,7 @@
 // Facts of image-assisted.md, section 6.
 #include "Harness/planar_shapes.h"
 #include "Planar/approximate.h"
-#include "Planar/corners.h"
+#include "Planar/pieces.h"
 #include "Planar/predicates.h"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ public:
     const Context& context)
     : Raster(frame)
     , Strokes(strokes)
-    , Reach(reach * arrangeGrid)
+    , Reach(reach * placesPerPixel)
     , Progress(context)
   {
   }
@@ -30,7 +30,7 @@ public:
   std::vector<ArrangedCurve> run()
   {
     CommonPlaces common =
-      commonPlaces(this->Raster, this->Strokes, this->Reach / arrangeGrid, this->Progress);
+      commonPlaces(this->Raster, this->Strokes, this->Reach / placesPerPixel, this->Progress);
     this->Places = std::move(common.places);
     this->World = std::move(common.world);
     this->Paths = std::move(common.paths);

@@ -11,15 +11,13 @@ namespace oversketch
 namespace
 {
 
-__extension__ using Wide = __int128;
-
 constexpr int mostRounds = 32;   // a crossing's place is rounded, which may make another one: seldom twice
 constexpr double farAlong = 3.0; // reaches along a stroke: what its own end may go on to
 
 struct Segment
 {
   int from, to, path, number;
-  std::int64_t x0, x1, y0, y1;
+  std::int64_t least; // x
 };
 
 class Noding
@@ -28,7 +26,7 @@ public:
   Noding(const Frame& frame, const std::vector<DrawnStroke>& strokes, double reach, const Context& context)
     : Raster(frame)
     , Strokes(strokes)
-    , Reach(reach * arrangeGrid)
+    , Reach(reach * placesPerPixel)
     , Progress(context)
   {
   }
@@ -72,9 +70,7 @@ private:
       PlacePath path{ {}, stroke.closed };
       for (std::size_t k = 0; k < pixels.size(); ++k)
       {
-        path.at.push_back(this->placeNumber(
-          { std::llround(pixels[k][0] * arrangeGrid), std::llround(pixels[k][1] * arrangeGrid) },
-          stroke.points[k]));
+        path.at.push_back(this->placeNumber(onGrid(pixels[k]), stroke.points[k]));
       }
       withoutRepeats(path);
       if (std::set<int>(path.at.begin(), path.at.end()).size() >= (stroke.closed ? 3u : 2u))
@@ -115,14 +111,13 @@ private:
       const PlacePath& path = this->Paths[p];
       for (int i = 0; i < path.segments(); ++i)
       {
-        const GridPlace &a = this->Places[path.from(i)], &b = this->Places[path.to(i)];
-        const auto [x0, x1] = std::minmax(a.x, b.x);
-        const auto [y0, y1] = std::minmax(a.y, b.y);
-        found.push_back({ path.from(i), path.to(i), static_cast<int>(p), i, x0, x1, y0, y1 });
+        const int from = path.from(i), to = path.to(i);
+        found.push_back(
+          { from, to, static_cast<int>(p), i, std::min(this->Places[from].x, this->Places[to].x) });
       }
     }
     std::stable_sort(
-      found.begin(), found.end(), [](const Segment& s, const Segment& t) { return s.x0 < t.x0; });
+      found.begin(), found.end(), [](const Segment& s, const Segment& t) { return s.least < t.least; });
     return found;
   }
 
@@ -138,22 +133,14 @@ private:
         more[{ s.path, s.number }].push_back(place);
       }
     };
-    for (std::size_t i = 0; i < all.size(); ++i)
+    std::vector<SegmentEnds> ends;
+    for (const Segment& s : all)
     {
-      if (i % 4096 == 0)
-      {
-        this->Progress.checkpoint(0.1);
-      }
-      const Segment& s = all[i];
-      for (std::size_t j = i + 1; j < all.size() && all[j].x0 <= s.x1; ++j)
-      {
-        const Segment& t = all[j];
-        if (s.y0 <= t.y1 && t.y0 <= s.y1)
-        {
-          this->meet(s, t, insert);
-        }
-      }
+      ends.push_back({ this->Places[s.from].vector(), this->Places[s.to].vector() });
     }
+    this->Progress.checkpoint(0.1);
+    forEachNear(
+      ends, [&](int i, int j) { this->meet(all[i], all[j], insert); }, this->Progress);
     for (auto& [which, places] : more)
     {
       const PlacePath& path = this->Paths[which.first];
@@ -200,8 +187,7 @@ private:
     }
     const auto onto = [&](const Segment& on, int place, int turn)
     {
-      const GridPlace& p = this->Places[place];
-      if (turn == 0 && on.x0 <= p.x && p.x <= on.x1 && on.y0 <= p.y && p.y <= on.y1)
+      if (turn == 0 && isWithin(this->Places[on.from], this->Places[on.to], this->Places[place]))
       {
         insert(on, place);
       }
@@ -230,9 +216,7 @@ private:
                          product(b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y);
     const GridPlace place{ a.x + std::llround(along * static_cast<double>(b.x - a.x)),
       a.y + std::llround(along * static_cast<double>(b.y - a.y)) };
-    return this->placeNumber(place,
-      this->Raster.toWorld(
-        Vector2(static_cast<double>(place.x), static_cast<double>(place.y)) / arrangeGrid));
+    return this->placeNumber(place, this->Raster.toWorld(place.vector() / placesPerPixel));
   }
 
   struct Join

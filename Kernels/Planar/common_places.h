@@ -11,7 +11,6 @@
 namespace oversketch
 {
 
-constexpr double arrangeGrid = 1048576.0; // places per px, as of Raster/meetings.h
 // Of a stroke's length: how far its ends go on or are cut off, at most.
 constexpr double arrangeShare = 0.25;
 

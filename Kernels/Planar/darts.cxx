@@ -1,5 +1,7 @@
 #include "Planar/darts.h"
 
+#include "Mesh/shape.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,7 +40,6 @@ std::vector<Vector2> inwardCorners(const std::vector<StrokeLine>& lines, const F
     {
       continue;
     }
-    const auto cross = [](const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * b[0]; };
     double area = 0.0;
     for (std::size_t i = 0; i < count; ++i)
     {

@@ -5,6 +5,8 @@
 
 #include "Planar/planar_mesh.h"
 
+#include <functional>
+
 namespace oversketch
 {
 
@@ -22,7 +24,7 @@ struct FaceEdges
   std::vector<FaceEdge> edges;            // ascending by (from, to)
   std::vector<std::array<int, 4>> ofFace; // from each corner to the next; the fourth of a triangle is -1
   Lists atPoint;                          // edges, ascending
-  Lists facesAtPoint;                     // ascending; empty where nobody asks for them (divided_edges.h)
+  Lists facesAtPoint;                     // ascending; empty where nobody asks for them (dividedEdges)
 };
 
 // Throws Error(Failure::BadMesh), naming the place, where the mesh is not sound: a corner out of range or
@@ -36,11 +38,56 @@ Lists facesAtPoints(const PlanarMesh& mesh);
 // Throws as faceEdges does where a point is not finite.
 void requireFinite(const PlanarMesh& mesh);
 
-// What the counter-clockwise triangle a, b, c covers; negative for a clockwise one.
-inline double signedArea(const Vector2& a, const Vector2& b, const Vector2& c)
+// What faceEdges finds in `divided`, whose points and faces are numbered as subdivide.h says, but for the
+// faces at its points: nothing is looked for, so it takes a small part of the time. `links` are those of
+// `whole`.
+FaceEdges dividedEdges(const PlanarMesh& whole, const FaceEdges& links, const PlanarMesh& divided);
+
+// Puts an item among a few that ascend.
+template <typename Item, typename Less>
+void insertAscending(std::array<Item, 4>& items, int& count, const Item& item, const Less& less)
 {
-  const Vector2 u = b - a, v = c - a;
-  return 0.5 * (u[0] * v[1] - u[1] * v[0]);
+  int at = count++;
+  for (; at > 0 && less(item, items[at - 1]); --at)
+  {
+    items[at] = items[at - 1];
+  }
+  items[at] = item;
+}
+
+// Calls what with each neighbour of a point of the divided mesh, in the order of the edges to them.
+template <typename What>
+void forDividedNeighbours(const FaceEdges& links, int wholePoints, int point, const What& what)
+{
+  const int e = point - wholePoints; // the edge that it is the middle of
+  if (e < 0)
+  {
+    for (const int* at = links.atPoint.begin(point); at != links.atPoint.end(point); ++at)
+    {
+      what(wholePoints + *at);
+    }
+    return;
+  }
+  const FaceEdge& edge = links.edges[e];
+  what(edge.from);
+  what(edge.to);
+  std::array<int, 4> others{};
+  int count = 0;
+  for (const int f : edge.faces)
+  {
+    for (int i = 0; f >= 0 && i < 3; ++i)
+    {
+      const int other = links.ofFace[f][i];
+      if (other != e)
+      {
+        insertAscending(others, count, other, std::less<>());
+      }
+    }
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    what(wholePoints + others[i]);
+  }
 }
 
 } // namespace oversketch

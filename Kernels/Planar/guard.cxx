@@ -1,5 +1,7 @@
 #include "Planar/guard.h"
 
+#include "Mesh/shape.h"
+
 #include <algorithm>
 
 namespace oversketch

@@ -8,13 +8,6 @@ namespace oversketch
 namespace
 {
 
-__extension__ using Wide = __int128;
-
-Wide cross(const GridPlace& a, const GridPlace& b, const GridPlace& c)
-{
-  return static_cast<Wide>(b.x - a.x) * (c.y - a.y) - static_cast<Wide>(b.y - a.y) * (c.x - a.x);
-}
-
 // Whether a direction from `from` is in the lower half of the turn that begins along x.
 bool lower(const GridPlace& from, const GridPlace& to)
 {
@@ -22,12 +15,6 @@ bool lower(const GridPlace& from, const GridPlace& to)
 }
 
 } // namespace
-
-int turnOf(const GridPlace& a, const GridPlace& b, const GridPlace& c)
-{
-  const Wide area = cross(a, b, c);
-  return (area > 0) - (area < 0);
-}
 
 double apart(const GridPlace& a, const GridPlace& b)
 {
@@ -114,7 +101,7 @@ std::vector<LineGraph::Walk> LineGraph::walks(const std::vector<char>& left,
         const GridPlace& a = this->Places[this->other(e, static_cast<int>(p))];
         const GridPlace& b = this->Places[this->other(f, static_cast<int>(p))];
         const bool lowA = lower(from, a), lowB = lower(from, b);
-        return lowA != lowB ? lowB : cross(from, a, b) > 0;
+        return lowA != lowB ? lowB : turnOf(from, a, b) > 0;
       });
   }
   ofEdge.assign(this->Edges.size(), { -1, -1 });
@@ -138,7 +125,7 @@ std::vector<LineGraph::Walk> LineGraph::walks(const std::vector<char>& left,
         const int to = this->other(edge, from);
         walk.places.push_back(from);
         walk.edges.push_back(edge);
-        area += cross(origin, this->Places[from], this->Places[to]);
+        area += twiceArea(origin, this->Places[from], this->Places[to]);
         const std::vector<int>& around = turns[to];
         const auto back = std::find(around.begin(), around.end(), edge);
         edge = back == around.begin() ? around.back() : *(back - 1);

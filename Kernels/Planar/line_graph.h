@@ -2,28 +2,10 @@
 #ifndef oversketch_kernels_planar_line_graph_h
 #define oversketch_kernels_planar_line_graph_h
 
-#include <array>
-#include <cstdint>
-#include <vector>
+#include "Stroke/meetings.h"
 
 namespace oversketch
 {
-
-// A place on a grid so fine that rounding to it moves nothing that is seen; fields under 2^40 in size, so
-// that areas of triangles are exact in 128 bits.
-struct GridPlace
-{
-  std::int64_t x = 0, y = 0;
-
-  bool operator==(const GridPlace& other) const { return this->x == other.x && this->y == other.y; }
-  bool operator<(const GridPlace& other) const
-  {
-    return this->x != other.x ? this->x < other.x : this->y < other.y;
-  }
-};
-
-// Sign of twice the area of a triangle.
-int turnOf(const GridPlace& a, const GridPlace& b, const GridPlace& c);
 
 double apart(const GridPlace& a, const GridPlace& b);
 

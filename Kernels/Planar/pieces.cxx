@@ -1,7 +1,7 @@
 #include "Planar/pieces.h"
 
 #include "Mesh/nearest.h"
-#include "Planar/corners.h"
+#include "Mesh/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +9,66 @@
 
 namespace oversketch
 {
+namespace
+{
+
+constexpr int cornerReach = 4; // samples, 0.02 of the canvas's longest side
+
+} // namespace
+
+std::vector<int> corners(const Polyline& stroke, bool closed, double angle)
+{
+  const int count = static_cast<int>(stroke.size());
+  std::vector<double> turns(count, 0.0);
+  const int first = closed ? 0 : cornerReach, end = closed ? count : count - cornerReach;
+  if (count <= 2 * cornerReach)
+  {
+    return {};
+  }
+  for (int i = first; i < end; ++i)
+  {
+    const Vector2 &before = stroke[(i - cornerReach + count) % count],
+                  &after = stroke[(i + cornerReach) % count];
+    turns[i] = std::abs(turnAngle(stroke[i] - before, after - stroke[i]));
+  }
+  // A cyclic walk begins behind a gap between two runs, so that no run goes over its end.
+  int start = 0;
+  if (closed)
+  {
+    int calm = 0;
+    while (start < 2 * count && calm < cornerReach - 1)
+    {
+      calm = turns[start % count] > angle ? 0 : calm + 1;
+      ++start;
+    }
+    if (calm < cornerReach - 1)
+    {
+      return {};
+    }
+  }
+  std::vector<int> result;
+  int last = -cornerReach; // of the walk, the last sample near a corner
+  for (int i = 0; i < count; ++i)
+  {
+    const int sample = (start + i) % count;
+    if (!(turns[sample] > angle))
+    {
+      continue;
+    }
+    if (result.empty() || i - last >= cornerReach)
+    {
+      result.push_back(sample);
+    }
+    else if (turns[sample] > turns[result.back()])
+    {
+      result.back() = sample;
+    }
+    last = i;
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 namespace
 {
 
@@ -259,20 +319,12 @@ void PieceList::divide()
 bool PieceList::leavesOut(int piece, const Vector2& place) const
 {
   bool inside = false;
-  const auto pass = [&](const Vector2& a, const Vector2& b)
-  {
-    if ((a[1] > place[1]) != (b[1] > place[1]))
-    {
-      inside = (place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1])) != inside;
-    }
-  };
   const Piece& p = this->Pieces[piece];
   for (int i = p.from; i < p.to; ++i)
   {
-    pass(this->sample(i), this->sample(i + 1));
+    inside ^= passesRight(place, this->sample(i), this->sample(i + 1));
   }
-  pass(this->sample(p.to), this->sample(p.from));
-  return inside;
+  return inside != passesRight(place, this->sample(p.to), this->sample(p.from));
 }
 
 std::vector<int> PieceList::vertices() const

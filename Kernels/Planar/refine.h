@@ -74,5 +74,9 @@ bool hasLargeFaces(const PlanarMesh& mesh, double canvasSide);
 // level 1 on there are none, of triangles where none of them has two edges on rims.
 PlanarMesh splitChords(const PlanarMesh& mesh);
 
+// Adds what was handed back to what was before: a part that meets one of those is to be halved once more than
+// it was. The order is that of the rounds.
+void addSplits(std::vector<StrokeSplit>& splits, const std::vector<StrokeSplit>& more);
+
 } // namespace oversketch
 #endif

@@ -1,7 +1,7 @@
 #include "Planar/subdivide.h"
 
 #include "Mesh/nearest.h"
-#include "Planar/divided_edges.h"
+#include "Planar/face_edges.h"
 #include "Planar/pieces.h"
 
 #include <algorithm>

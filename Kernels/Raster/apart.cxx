@@ -1,6 +1,6 @@
 #include "Raster/apart.h"
 
-#include "Raster/meetings.h"
+#include "Stroke/meetings.h"
 #include "Stroke/resample.h"
 
 #include <algorithm>

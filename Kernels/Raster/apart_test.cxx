@@ -1,7 +1,7 @@
 #include "Raster/apart.h"
 
 #include "Harness/drawing_shapes.h"
-#include "Raster/meetings.h"
+#include "Stroke/meetings.h"
 #include "Stroke/resample.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,13 @@
 #include "Raster/classify.h"
 
-#include "Raster/meetings.h"
+#include "Mesh/shape.h"
+#include "Stroke/meetings.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace oversketch
 {
@@ -13,6 +15,126 @@ namespace
 {
 
 constexpr double smallestArea = 9.0; // px squared
+
+// Connected areas of a raster without lines.
+struct Blobs
+{
+  // Of each sample: the area it is in, 4-connected, numbered by their first samples, so that 0 is the one at
+  // the raster's border; -1 on a line.
+  std::vector<int> labels;
+  std::vector<int> sizes; // samples of each area
+  int count() const { return static_cast<int>(this->sizes.size()); }
+};
+
+struct RowRun
+{
+  int begin, end; // samples of a row
+};
+
+int rootOf(std::vector<int>& parents, int i)
+{
+  while (parents[i] != i)
+  {
+    parents[i] = parents[parents[i]];
+    i = parents[i];
+  }
+  return i;
+}
+
+// lines: 1 on a line, else 0; the raster's first sample is on none. Why not OpenCV: its areas' order is the
+// algorithm's, and 8 neighbours, which leak through diagonal lines, are its default.
+Blobs blobsOf(const Frame& frame, const std::vector<std::uint8_t>& lines)
+{
+  std::vector<RowRun> runs;
+  std::vector<int> offsets{ 0 }; // of the rows' runs
+  std::vector<int> parents;
+  for (int y = 0; y < frame.height; ++y)
+  {
+    const std::uint8_t* row = lines.data() + frame.index(0, y);
+    const std::uint8_t* end = row + frame.width;
+    for (const std::uint8_t* at = row; at != end;)
+    {
+      const std::uint8_t* begin = std::find(at, end, 0);
+      at = std::find(begin, end, 1);
+      if (begin != at)
+      {
+        parents.push_back(static_cast<int>(runs.size()));
+        runs.push_back({ static_cast<int>(begin - row), static_cast<int>(at - row) });
+      }
+    }
+    const int first = offsets.back();
+    offsets.push_back(static_cast<int>(runs.size()));
+    // Runs of this row and the last one that share a column are one area; its number is its first run's.
+    for (int above = first, below = y > 0 ? offsets[y - 1] : first; above < offsets.back() && below < first;)
+    {
+      if (runs[above].begin < runs[below].end && runs[below].begin < runs[above].end)
+      {
+        const int a = rootOf(parents, above), b = rootOf(parents, below);
+        parents[std::max(a, b)] = std::min(a, b);
+      }
+      runs[above].end < runs[below].end ? ++above : ++below;
+    }
+  }
+  Blobs blobs;
+  blobs.labels.assign(frame.count(), -1);
+  std::vector<int> numbers(runs.size(), -1);
+  for (int y = 0; y < frame.height; ++y)
+  {
+    for (int i = offsets[y]; i < offsets[y + 1]; ++i)
+    {
+      const int root = rootOf(parents, i);
+      if (root == i)
+      {
+        numbers[i] = blobs.count();
+        blobs.sizes.push_back(0);
+      }
+      numbers[i] = numbers[root];
+      blobs.sizes[numbers[i]] += runs[i].end - runs[i].begin;
+      std::fill(blobs.labels.begin() + frame.index(runs[i].begin, y),
+        blobs.labels.begin() + frame.index(runs[i].end, y),
+        numbers[i]);
+    }
+  }
+  return blobs;
+}
+
+// The contacts of a line's samples, each sample once however often the line passes it, by ascending area.
+// `stamps` has an entry for each sample of the raster that differs from `stamp`.
+std::vector<Contact> contactsOf(const Frame& frame,
+  const Blobs& blobs,
+  const std::vector<Place>& pixels,
+  std::vector<int>& stamps,
+  int stamp)
+{
+  std::map<int, int> counts;
+  for (const Place& p : pixels)
+  {
+    const std::size_t at = frame.index(p[0], p[1]);
+    if (stamps[at] == stamp)
+    {
+      continue;
+    }
+    stamps[at] = stamp;
+    const std::array<int, 4> beside{ blobs.labels[at - 1],
+      blobs.labels[at + 1],
+      blobs.labels[at - frame.width],
+      blobs.labels[at + frame.width] };
+    for (int i = 0; i < 4; ++i)
+    {
+      if (beside[i] >= 0 && std::find(beside.begin(), beside.begin() + i, beside[i]) == beside.begin() + i)
+      {
+        ++counts[beside[i]];
+      }
+    }
+  }
+  std::vector<Contact> contacts;
+  contacts.reserve(counts.size());
+  for (const auto& [blob, count] : counts)
+  {
+    contacts.push_back({ blob, count });
+  }
+  return contacts;
+}
 
 // A closed curve that others are looked for in [px].
 struct Outline
@@ -30,7 +152,7 @@ struct Outline
     for (std::size_t i = 0; i < this->points.size(); ++i)
     {
       const Vector2 p = this->points[i] - first, q = this->points[(i + 1) % this->points.size()] - first;
-      this->area += 0.5 * (p[0] * q[1] - p[1] * q[0]);
+      this->area += 0.5 * cross(p, q);
       this->box.extend(this->points[i]);
     }
     this->area = std::abs(this->area);
@@ -45,12 +167,7 @@ struct Outline
     bool inside = false;
     for (std::size_t i = 0, j = this->points.size() - 1; i < this->points.size(); j = i++)
     {
-      const Vector2 &a = this->points[i], &b = this->points[j];
-      if ((a[1] > place[1]) != (b[1] > place[1]))
-      {
-        const double x = a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1]);
-        inside = (place[0] < x) != inside;
-      }
+      inside ^= passesRight(place, this->points[i], this->points[j]);
     }
     return inside;
   }

@@ -3,12 +3,18 @@
 #define oversketch_kernels_raster_classify_h
 
 #include "Mesh/context.h"
-#include "Raster/blobs.h"
+#include "Raster/frame.h"
 
 #include <algorithm>
 
 namespace oversketch
 {
+
+// How many samples of a line are beside an area, over one of their four sides.
+struct Contact
+{
+  int blob = 0, pixels = 0;
+};
 
 enum class Role : int
 {

@@ -1,7 +1,7 @@
 // Facts of image-assisted.md, section 5.
 #include "Raster/classify.h"
 #include "Raster/distance_maps.h"
-#include "Raster/meetings.h"
+#include "Stroke/meetings.h"
 
 #include "Harness/drawing_shapes.h"
 #include "Harness/shapes.h"
@@ -263,55 +263,6 @@ TEST(Classify, HostileStrokesAreRejectedByName)
   Context cancelled;
   cancelled.cancelled = [] { return true; };
   EXPECT_THROW(classify(pixelFrame(), strokes, share, cancelled), Error);
-}
-
-TEST(Classify, MeetingsAreThoseOfEveryPairOfSegments)
-{
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> place(0.0, 100.0);
-  for (int run = 0; run < 60; ++run)
-  {
-    std::vector<PlaneCurve> curves(4);
-    for (PlaneCurve& curve : curves)
-    {
-      for (int i = 0; i < 3 + run % 3; ++i)
-      {
-        curve.points.emplace_back(place(random), place(random));
-      }
-      curve.points.push_back(curve.points.back() + Vector2(0.5, 3.0));
-    }
-    // Of all pairs of segments, by solving for the crossing.
-    std::vector<int> expected(4, -1);
-    for (int a = 0; a < 4; ++a)
-    {
-      for (int b = 0; b < 4; ++b)
-      {
-        for (std::size_t i = 0; i + 1 < curves[a].points.size(); ++i)
-        {
-          for (std::size_t j = 0; j + 1 < curves[b].points.size(); ++j)
-          {
-            if (a == b && (i > j ? i - j : j - i) < 2)
-            {
-              continue;
-            }
-            Eigen::Matrix2d m;
-            m << curves[a].points[i + 1] - curves[a].points[i], curves[b].points[j] - curves[b].points[j + 1];
-            const Vector2 t = m.inverse() * (curves[b].points[j] - curves[a].points[i]);
-            if (t.minCoeff() >= 0.0 && t.maxCoeff() <= 1.0 &&
-                (expected[a] < 0 || static_cast<int>(i) < expected[a]))
-            {
-              expected[a] = static_cast<int>(i);
-            }
-          }
-        }
-      }
-    }
-    const std::vector<Meeting> found = meetings(curves, Context());
-    for (int a = 0; a < 4; ++a)
-    {
-      EXPECT_EQ(found[a].segment, expected[a]) << run;
-    }
-  }
 }
 
 TEST(Classify, TheFrameFitsTheCanvas)

@@ -15,17 +15,6 @@ constexpr double pinned = 0.1; // share of the length over which a new profile i
 constexpr double leastTurn = 0.02;
 constexpr double leastMove = 1e-12; // of the profile's longer side: less is rounding, and nothing moves
 
-std::vector<double> lengthsOf(const std::vector<Vector3>& points)
-{
-  std::vector<double> lengths;
-  lengths.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    lengths.push_back(i == 0 ? 0.0 : lengths.back() + (points[i] - points[i - 1]).norm());
-  }
-  return lengths;
-}
-
 [[noreturn]] void refuse(const Message& what)
 {
   throw Error(Failure::BadStroke, what);
@@ -99,7 +88,7 @@ FlatProfile ProfileFit::flat(const std::vector<Vector3>& section,
   const Vector3& normal,
   const Vector3& outward)
 {
-  const std::vector<double> along = lengthsOf(section);
+  const std::vector<double> along = arcLengths(section);
   const double length = section.empty() ? 0.0 : along.back();
   const Vector3 chord = length > 0.0 ? Vector3(section.back() - section.front()) : Vector3(Vector3::Zero());
   if (!(chord.norm() > 1e-9 * length))
@@ -137,7 +126,7 @@ FlatProfile ProfileFit::flat(const std::vector<Vector3>& section,
       profile.beside.push_back(place.of(controlBeside));
     }
   }
-  const std::vector<double> lengths = lengthsOf(fitted);
+  const std::vector<double> lengths = arcLengths(fitted);
   const Vector3 x = (chord - chord.dot(normal) * normal).normalized(), up = normal.cross(x);
   const Vector3 y = up.dot(outward) < 0.0 ? Vector3(-up) : up;
   Eigen::AlignedBox2d box;

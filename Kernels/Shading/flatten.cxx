@@ -1,6 +1,7 @@
 #include "Shading/flatten.h"
 
 #include "Mesh/context.h"
+#include "Mesh/shape.h"
 #include "Sparse/cholesky.h"
 #include "Sparse/laplacian.h"
 
@@ -16,12 +17,6 @@ namespace
 {
 
 constexpr double evenEnough = 0.05; // of a texel's side, in the mean
-
-double signedArea(const std::vector<Vector2>& disc, const Triangle& t)
-{
-  const Vector2 u = disc[t[1]] - disc[t[0]], v = disc[t[2]] - disc[t[0]];
-  return 0.5 * (u[0] * v[1] - u[1] * v[0]);
-}
 
 // Each vertex's share of all area.
 std::vector<double> shares(const Mesh& patch, const std::vector<double>& areas)
@@ -242,7 +237,8 @@ std::vector<Vector2> flattened(const Mesh& patch, const Context& context, int ro
     bool turned = false;
     for (int t = 0; t < patch.triangleCount(); ++t)
     {
-      areas[t] = signedArea(now, patch.triangles[t]);
+      const Triangle& c = patch.triangles[t];
+      areas[t] = signedArea(now[c[0]], now[c[1]], now[c[2]]);
       turned = turned || !(areas[t] > 0.0);
     }
     if (turned && round == 0)

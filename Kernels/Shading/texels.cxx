@@ -1,6 +1,7 @@
 #include "Shading/texels.h"
 
 #include "Mesh/context.h"
+#include "Mesh/shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +56,7 @@ std::vector<double> onTexels(const std::vector<Vector2>& disc,
           const Triangle& c = triangles[t];
           const Vector2 &a = disc[c[0]], &b = disc[c[1]], &p = disc[c[2]];
           const Vector2 u = b - a, v = p - a;
-          const double area = u[0] * v[1] - u[1] * v[0];
+          const double area = cross(u, v);
           if (!(area > 0.0))
           {
             continue;
@@ -65,8 +66,8 @@ std::vector<double> onTexels(const std::vector<Vector2>& disc,
           for (int i = left; i <= right; ++i)
           {
             const Vector2 d = discPlace(i, j, size) - a;
-            const double second = (d[0] * v[1] - d[1] * v[0]) / area,
-                         third = (u[0] * d[1] - u[1] * d[0]) / area, first = 1.0 - second - third;
+            const double second = cross(d, v) / area, third = cross(u, d) / area,
+                         first = 1.0 - second - third;
             // On an edge, by rounding, neither neighbour may have the texel: both do, with the same value.
             if (std::min({ first, second, third }) >= -1e-9)
             {

@@ -6,7 +6,7 @@
 #include "Mesh/context.h"
 #include "Shading/fields.h"
 #include "Shading/flatten.h"
-#include "Shading/layer_list.h"
+#include "Shading/layers.h"
 
 #include <gtest/gtest.h>
 

@@ -31,7 +31,7 @@ std::vector<int> edgeMiddles(const OutlineLoop& loop)
 }
 
 // A smoothed loop, and what hangs on it.
-struct Track
+struct LoopTrack
 {
   Polyline points;
   std::vector<double> lengths;
@@ -50,9 +50,9 @@ struct Attachment
   Binding edge{};
 };
 
-std::vector<Track> tracksOf(const std::vector<OutlineLoop>& loops)
+std::vector<LoopTrack> tracksOf(const std::vector<OutlineLoop>& loops)
 {
-  std::vector<Track> tracks;
+  std::vector<LoopTrack> tracks;
   for (const OutlineLoop& loop : loops)
   {
     const Polyline smooth = smoothLoop(loop.points, loop.closed);
@@ -66,7 +66,7 @@ std::vector<Track> tracksOf(const std::vector<OutlineLoop>& loops)
 class CurveAttacher
 {
 public:
-  CurveAttacher(const std::vector<Track>& tracks,
+  CurveAttacher(const std::vector<LoopTrack>& tracks,
     const VisibleCurve& curve,
     int number,
     double attachDistance)
@@ -121,12 +121,7 @@ private:
       {
         const std::vector<double>& lengths = this->Tracks[l].lengths;
         limit = place.distance;
-        found = { l,
-          place,
-          lengths[place.segment] + place.t * (lengths[place.segment + 1] - lengths[place.segment]),
-          this->Curve.display[i] - place.place,
-          number,
-          i };
+        found = { l, place, place.along(lengths), this->Curve.display[i] - place.place, number, i };
       }
     }
   }
@@ -141,7 +136,7 @@ private:
   // The step from point i to the next, along the loop they both hang on.
   double progress(int i, int j) const
   {
-    const Track& track = this->Tracks[this->Found[i].loop];
+    const LoopTrack& track = this->Tracks[this->Found[i].loop];
     double step = this->Found[j].along - this->Found[i].along;
     if (track.closed && std::abs(step) > 0.5 * track.whole())
     {
@@ -161,7 +156,7 @@ private:
     return length > 2.0 * this->AttachDistance ? 0 : -1; // a long step says nothing of its ends
   }
 
-  const std::vector<Track>& Tracks;
+  const std::vector<LoopTrack>& Tracks;
   const VisibleCurve& Curve;
   const int Count;
   const double AttachDistance;
@@ -194,7 +189,7 @@ void sortAlong(std::vector<Attachment>& list)
   }
 }
 
-void addEdges(const OutlineLoop& loop, int number, const Track& track, std::vector<Attachment>& list)
+void addEdges(const OutlineLoop& loop, int number, const LoopTrack& track, std::vector<Attachment>& list)
 {
   for (const int middle : edgeMiddles(loop))
   {
@@ -211,7 +206,10 @@ void addEdges(const OutlineLoop& loop, int number, const Track& track, std::vect
 }
 
 // The offset of a loop point between two attached ones, the second of which is list[next].
-Vector2 offsetBetween(const Track& track, const std::vector<Attachment>& list, double along, std::size_t next)
+Vector2 offsetBetween(const LoopTrack& track,
+  const std::vector<Attachment>& list,
+  double along,
+  std::size_t next)
 {
   if (list.empty())
   {
@@ -231,7 +229,7 @@ Vector2 offsetBetween(const Track& track, const std::vector<Attachment>& list, d
 }
 
 // The points of a loop, and what hangs on it, in their order along it.
-std::vector<OutlineStation> stationsOf(const Track& track, const std::vector<Attachment>& list)
+std::vector<OutlineStation> stationsOf(const LoopTrack& track, const std::vector<Attachment>& list)
 {
   std::vector<OutlineStation> stations;
   std::size_t k = 0;
@@ -259,7 +257,7 @@ std::vector<std::vector<OutlineStation>> attachSilhouette(const std::vector<Outl
   double attachDistance,
   bool bindEdges)
 {
-  const std::vector<Track> tracks = tracksOf(loops);
+  const std::vector<LoopTrack> tracks = tracksOf(loops);
   std::vector<std::vector<Attachment>> attached(loops.size());
   for (int c = 0; c < static_cast<int>(curves.size()); ++c)
   {

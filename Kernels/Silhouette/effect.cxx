@@ -1,6 +1,7 @@
 #include "Silhouette/effect.h"
 
 #include "Mesh/nearest.h"
+#include "Mesh/shape.h"
 #include "Silhouette/outline.h"
 
 #include <algorithm>
@@ -13,11 +14,6 @@ namespace oversketch
 
 namespace
 {
-
-double crossOf(const Vector2& a, const Vector2& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 // Anticlockwise; the first point is not repeated.
 Polyline convexHull(Polyline points)
@@ -33,7 +29,7 @@ Polyline convexHull(Polyline points)
   Polyline hull;
   const auto add = [&hull](const Vector2& p, std::size_t least)
   {
-    while (hull.size() > least && crossOf(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
+    while (hull.size() > least && cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0.0)
     {
       hull.pop_back();
     }
@@ -59,7 +55,7 @@ double distanceToHull(const Vector2& p, const Polyline& hull)
   for (std::size_t i = 0; i < hull.size(); ++i)
   {
     const Vector2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    inside = inside && crossOf(b - a, p - a) >= 0.0;
+    inside = inside && cross(b - a, p - a) >= 0.0;
     nearest = std::min(nearest, distanceToSegment(p, a, b));
   }
   return inside ? 0.0 : nearest;

@@ -13,11 +13,9 @@ namespace oversketch
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-
 bool narrow(const Mesh& mesh, const Triangle& t)
 {
-  const double limit = std::cos(pi / 6.0);
+  const double limit = std::cos(M_PI / 6.0);
   for (int k = 0; k < 3; ++k)
   {
     const Vector3 a = mesh.points[t[(k + 1) % 3]] - mesh.points[t[k]];
@@ -115,7 +113,7 @@ int foldedEdges(const Mesh& mesh,
       }
     }
   }
-  const double limit = std::cos(100.0 * pi / 180.0);
+  const double limit = std::cos(100.0 * M_PI / 180.0);
   std::vector<char> folded(pairs.size(), 0);
   context.parallelFor(static_cast<int>(pairs.size()),
     [&](int begin, int end)
@@ -243,7 +241,6 @@ double missedBeside(const StrokeOutline& outline)
   {
     places.emplace_back(loop.points, loop.closed);
   }
-  // A line to the right crosses the loops an odd number of times.
   const auto isCovered = [&](const Vector2& p)
   {
     bool covered = false;
@@ -251,9 +248,7 @@ double missedBeside(const StrokeOutline& outline)
     {
       for (std::size_t i = 0; i < loop.points.size(); ++i)
       {
-        const Vector2 &a = loop.points[i], &b = loop.points[(i + 1) % loop.points.size()];
-        covered ^=
-          (a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) * (b[0] - a[0]) / (b[1] - a[1]);
+        covered ^= passesRight(p, loop.points[i], loop.points[(i + 1) % loop.points.size()]);
       }
     }
     return covered;

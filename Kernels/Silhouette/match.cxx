@@ -173,7 +173,7 @@ MatchedSection nearestSection(const std::vector<MatchCandidate>& candidates,
       MatchedSection match;
       match.candidate = static_cast<int>(c);
       match.places = std::move(places);
-      match.begin = lengths[start.segment] + start.t * (lengths[start.segment + 1] - lengths[start.segment]);
+      match.begin = start.along(lengths);
       match.length = (forward ? 1.0 : -1.0) * arcLengths(section).back();
       match.distance = match.score = distance;
       if (!rules.amendedScore)

@@ -138,7 +138,7 @@ private:
 };
 
 template <typename Real>
-Real cross(Real ax, Real ay, Real bx, Real by)
+Real crossOf(Real ax, Real ay, Real bx, Real by)
 {
   return ax * by - ay * bx;
 }
@@ -162,7 +162,7 @@ void testTriangle(const Triangle& t,
   {
     return;
   }
-  Real area = cross(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
+  Real area = crossOf(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
   const Real side = area < 0 ? Real(-1) : Real(1);
   area *= side;
   const Real extent = std::max(right - left, high - low);
@@ -182,9 +182,9 @@ void testTriangle(const Triangle& t,
       {
         continue;
       }
-      const Real wa = side * cross(b.x - p.x, b.y - p.y, c.x - p.x, c.y - p.y);
-      const Real wb = side * cross(c.x - p.x, c.y - p.y, a.x - p.x, a.y - p.y);
-      const Real wc = side * cross(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
+      const Real wa = side * crossOf(b.x - p.x, b.y - p.y, c.x - p.x, c.y - p.y);
+      const Real wb = side * crossOf(c.x - p.x, c.y - p.y, a.x - p.x, a.y - p.y);
+      const Real wc = side * crossOf(a.x - p.x, a.y - p.y, b.x - p.x, b.y - p.y);
       if (wa < 0 || wb < 0 || wc < 0 || !(wa * (a.z - p.z) + wb * (b.z - p.z) + wc * (c.z - p.z) > 0))
       {
         continue;

@@ -1,5 +1,6 @@
 #include "Silhouette/outline.h"
 
+#include "Mesh/shape.h"
 #include "Silhouette/covered.h"
 
 #include <algorithm>
@@ -165,7 +166,7 @@ double signedArea(const Polyline& loop)
   {
     const Vector2& a = loop[i];
     const Vector2& b = loop[(i + 1) % loop.size()];
-    area += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+    area += 0.5 * cross(a, b);
   }
   return area;
 }

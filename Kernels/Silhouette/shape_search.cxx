@@ -1,5 +1,7 @@
 #include "Silhouette/shape_search.h"
 
+#include "Mesh/shape.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,7 +139,7 @@ int windingOf(int count, const At& at)
   for (int i = 1; i < count; ++i)
   {
     const Vector2 next = at(i) - at(0);
-    area += last[0] * next[1] - last[1] * next[0];
+    area += cross(last, next);
     length += (next - last).norm();
     last = next;
   }

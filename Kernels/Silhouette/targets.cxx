@@ -1,5 +1,8 @@
 #include "Silhouette/targets.h"
 
+#include "Mesh/shape.h"
+#include "Silhouette/outline.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -342,8 +345,7 @@ std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
     {
       // The offset stands across the curve: where the stroke bends the limb, it turns along.
       const Vector2 from = directionAt(curve, along, along[j]), to = directionAt(stroke, strokeAlong, length);
-      const double cosine = from.dot(to), sine = from[0] * to[1] - from[1] * to[0],
-                   norm = std::hypot(cosine, sine);
+      const double cosine = from.dot(to), sine = cross(from, to), norm = std::hypot(cosine, sine);
       if (norm > 0.0)
       {
         offset = Vector2(cosine * offset[0] - sine * offset[1], sine * offset[0] + cosine * offset[1]) / norm;
@@ -387,6 +389,70 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
   const View& view)
 {
   return LayerChooser(handles, section, mesh, adjacency, view).kept();
+}
+
+std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
+  const std::vector<char>& chosen,
+  const Polyline& stroke,
+  const View& view,
+  double omega,
+  double tolerance,
+  double reach,
+  const Context& context)
+{
+  constexpr double onOutline = 1.0; // px; the loop runs between pixel centres and cuts sharper corners
+  std::vector<NearestPlace> loops;
+  const PixelWindow window = strokeWindow(stroke, reach + 2.0 * onOutline + 2.0);
+  for (const OutlineLoop& loop : traceOutline(deformed, view, window, context))
+  {
+    loops.emplace_back(loop.points, loop.closed);
+  }
+  const NearestPlace pen(stroke);
+  const std::vector<double> lengths = arcLengths(stroke);
+  std::vector<OutlineCorrection> corrections;
+  if (!(lengths.back() > 0.0))
+  {
+    return corrections;
+  }
+  for (int v = 0; v < deformed.vertexCount(); ++v)
+  {
+    if (!chosen[v] || !view.inFront(deformed.points[v]))
+    {
+      continue;
+    }
+    const Vector3 display = view.toDisplay(deformed.points[v]);
+    const Vector2 place = display.head<2>();
+    if (pen(place, reach + onOutline).segment < 0)
+    {
+      continue;
+    }
+    NearestPlace::Answer border;
+    border.distance = onOutline;
+    for (const NearestPlace& loop : loops)
+    {
+      const NearestPlace::Answer answer = loop(place, border.distance);
+      if (answer.segment >= 0 && answer.distance <= border.distance)
+      {
+        border = answer;
+      }
+    }
+    if (border.segment < 0)
+    {
+      continue;
+    }
+    const NearestPlace::Answer goal = pen(border.place, reach);
+    if (goal.segment < 0 || goal.distance <= tolerance)
+    {
+      continue;
+    }
+    const double along = goal.along(lengths);
+    const double relative = along / lengths.back();
+    if (relative >= omega && relative <= 1.0 - omega)
+    {
+      corrections.push_back({ v, relative, view.toWorld(place + goal.place - border.place, display[2]) });
+    }
+  }
+  return corrections;
 }
 
 } // namespace oversketch

@@ -1,4 +1,5 @@
-// From the matched section and the stroke to displacement targets (SEED, Sec. 3.4, Eqs. 4 to 7).
+// From the matched section and the stroke to displacement targets (SEED, Sec. 3.4, Eqs. 4 to 7), and further
+// ones where the deformed outline still misses the stroke.
 #ifndef oversketch_kernels_silhouette_targets_h
 #define oversketch_kernels_silhouette_targets_h
 
@@ -51,6 +52,26 @@ std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
   const Mesh& mesh,
   const Adjacency& adjacency,
   const View& view);
+
+struct OutlineCorrection
+{
+  int vertex = -1;
+  double relative = 0.0;            // of the place on the stroke that it is pulled to
+  Vector3 target = Vector3::Zero(); // at the vertex's own depth
+};
+
+// The control points bring the old silhouette to the stroke, but bending and stretching turn other vertices
+// into the outline. Returns the chosen vertices that now lie on the outline of the mesh (within 1 px), where
+// it is between `tolerance` and `reach` px off the stroke's part from omega to 1 - omega, by rising vertex;
+// the target shifts a vertex as the outline beside it must shift to lie on the stroke.
+std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
+  const std::vector<char>& chosen,
+  const Polyline& stroke,
+  const View& view,
+  double omega,
+  double tolerance,
+  double reach,
+  const Context& context = {});
 
 } // namespace oversketch
 #endif

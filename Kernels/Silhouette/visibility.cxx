@@ -1,7 +1,7 @@
 #include "Silhouette/visibility.h"
 
-#include "Silhouette/crossings.h"
 #include "Silhouette/occlusion.h"
+#include "Stroke/meetings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,6 @@ namespace oversketch
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double samePlace = 1e-9; // of a segment: a crossing this near to its end is its end
 
 // A curve on its way through the steps: its points on screen, and where it is to be cut.
@@ -99,7 +98,7 @@ private:
 
   void markCuspsAndEyePlane(Track& track) const
   {
-    const double limit = std::cos(this->Options.cuspAngle * pi / 180.0);
+    const double limit = std::cos(this->Options.cuspAngle * M_PI / 180.0);
     const int n = track.size();
     for (int i = 0; i < n; ++i)
     {
@@ -195,10 +194,16 @@ private:
         if (track.onScreen(i) && track.onScreen(j))
         {
           segments.push_back({ c, i, j, track.screen[i].head<2>(), track.screen[j].head<2>() });
+          if (!segments.back().from.allFinite() || !segments.back().to.allFinite())
+          {
+            throw Error(Failure::BadStroke,
+              "A curve of the outline has no place in the picture: it passes through the plane of the "
+              "camera, or the mesh or the view is damaged. Draw the stroke in a view from farther away.");
+          }
         }
       }
     }
-    const std::vector<Crossing> crossings = findCrossings(segments);
+    const std::vector<Crossing> crossings = findCrossings(segments, this->Caller);
     auto crossing = crossings.begin();
     for (int c = 0; c < static_cast<int>(this->Tracks.size()); ++c)
     {

@@ -42,5 +42,22 @@ Polyline ontoCanvas(const View& view, const Polyline& display);
 // that the last step leads on to the first sample.
 std::size_t samplesRound(const Polyline& points, const Canvas& canvas);
 
+// ---- Where a place of the canvas is in its picture
+
+// Source: image-assisted modelling, section 15 (2.4 of the paper): s = (x - x_o) / w, t = (y - y_o) / h, z
+// ignored: front and back have the same; along a wall all are. Not clamped.
+inline Vector2 textureCoordinates(const Canvas& canvas, const Vector2& place)
+{
+  return (place - canvas.corner).cwiseQuotient(canvas.size);
+}
+
+// The same in a picture of the back, taken from behind, so that its left is at the canvas's right; it fills
+// the canvas.
+inline Vector2 backTextureCoordinates(const Canvas& canvas, const Vector2& place)
+{
+  const Vector2 front = textureCoordinates(canvas, place);
+  return { 1.0 - front[0], front[1] };
+}
+
 } // namespace oversketch
 #endif

@@ -41,9 +41,7 @@ struct Ring
     std::vector<double> places;
     for (const Vector2& point : other)
     {
-      const NearestPlace::Answer answer = nearest(point);
-      places.push_back(this->lengths[answer.segment] +
-                       answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]));
+      places.push_back(nearest(point).along(this->lengths));
     }
     return places;
   }
@@ -120,7 +118,7 @@ Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, 
   const NearestPlace nearest(old);
   const NearestPlace::Answer foot = nearest(fromFront ? fresh.front() : fresh.back());
   const std::vector<double> lengths = arcLengths(old);
-  const double place = lengths[foot.segment] + foot.t * (lengths[foot.segment + 1] - lengths[foot.segment]);
+  const double place = foot.along(lengths);
   const Vector2 away = fromFront ? fresh.back() : fresh.front();
   const bool atBack = (old.back() - away).norm() <= (old.front() - away).norm();
   // Drawn and old curve are walked so that the new end comes last.

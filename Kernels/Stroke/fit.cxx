@@ -1,8 +1,8 @@
 #include "Stroke/fit.h"
 
 #include "Mesh/context.h"
+#include "Stroke/resample.h"
 #include "Stroke/stroke.h"
-#include "Stroke/thinning.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Harness/shapes.h"
 #include "Mesh/context.h"
-#include "Stroke/thinning.h"
+#include "Stroke/resample.h"
 
 #include <gtest/gtest.h>
 

@@ -8,23 +8,6 @@
 namespace oversketch
 {
 
-std::vector<double> arcLengths(const Polyline& points, bool closed)
-{
-  std::vector<double> lengths;
-  lengths.reserve(points.size() + 1);
-  double length = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    length += i == 0 ? 0.0 : (points[i] - points[i - 1]).norm();
-    lengths.push_back(length);
-  }
-  if (closed && !points.empty())
-  {
-    lengths.push_back(length + (points.front() - points.back()).norm());
-  }
-  return lengths;
-}
-
 namespace
 {
 

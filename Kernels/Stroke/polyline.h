@@ -27,7 +27,29 @@ struct Blend
 
 // Length from the first point to each point; a closed polyline (its first point not repeated) has one entry
 // more, its whole length.
-std::vector<double> arcLengths(const Polyline& points, bool closed = false);
+template <typename Point>
+std::vector<double> arcLengths(const std::vector<Point>& points, bool closed = false)
+{
+  std::vector<double> lengths;
+  lengths.reserve(points.size() + 1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    lengths.push_back(i == 0 ? 0.0 : lengths.back() + (points[i] - points[i - 1]).norm());
+  }
+  if (closed && !points.empty())
+  {
+    lengths.push_back(lengths.back() + (points.front() - points.back()).norm());
+  }
+  return lengths;
+}
+
+// Whether the line from a place to the right passes between two others: it does so an odd number of times
+// with the sides of a polygon that holds the place.
+inline bool passesRight(const Vector2& place, const Vector2& a, const Vector2& b)
+{
+  return (a[1] > place[1]) != (b[1] > place[1]) &&
+         place[0] < a[0] + (b[0] - a[0]) * (place[1] - a[1]) / (b[1] - a[1]);
+}
 
 // The place at a length along the polyline, clamped to its ends. lengths comes from arcLengths.
 Blend placeAt(const std::vector<double>& lengths, int pointCount, double length);
@@ -50,6 +72,12 @@ public:
     double t = 0.0;        // in [0, 1] along it
     double distance = 0.0; // infinite for an empty polyline
     Vector2 place = Vector2::Zero();
+
+    // Of it; lengths comes from arcLengths.
+    double along(const std::vector<double>& lengths) const
+    {
+      return lengths[this->segment] + this->t * (lengths[this->segment + 1] - lengths[this->segment]);
+    }
   };
 
   explicit NearestPlace(const Polyline& points, bool closed = false);

@@ -7,6 +7,7 @@
 
 namespace oversketch
 {
+
 namespace
 {
 
@@ -17,26 +18,15 @@ constexpr double mostSamples = 1e7;
 // The samples that stay: numbers of points.
 std::vector<int> spread(const Polyline& points, double least, bool closed)
 {
-  std::vector<int> kept{ 0 };
-  const int last = static_cast<int>(points.size()) - 1;
-  const auto near = [&](int a, int b) { return (points[a] - points[b]).norm() < least; };
-  for (int i = 1; i <= last; ++i)
-  {
-    if (!near(i, kept.back()))
-    {
-      kept.push_back(i);
-    }
-  }
   if (closed)
   {
-    while (kept.size() > 1 && near(kept.back(), 0))
-    {
-      kept.pop_back();
-    }
+    return thinEvenly(points, least, true);
   }
-  else if (kept.back() != last)
+  std::vector<int> kept = thinStroke(points, least, true);
+  const int last = static_cast<int>(points.size()) - 1;
+  if (kept.back() != last)
   {
-    while (kept.size() > 1 && near(kept.back(), last))
+    while (kept.size() > 1 && (points[kept.back()] - points[last]).norm() < least)
     {
       kept.pop_back();
     }
@@ -85,6 +75,66 @@ std::vector<Blend> evenPlaces(const Polyline& points, std::vector<int> kept, dou
     {
       places.push_back(Blend::point(to));
     }
+  }
+  return places;
+}
+
+std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed)
+{
+  std::vector<int> kept;
+  const int count = static_cast<int>(samples.size());
+  for (int i = 0; i < count; ++i)
+  {
+    if (kept.empty() || (samples[i] - samples[kept.back()]).norm() >= spacing)
+    {
+      kept.push_back(i);
+    }
+  }
+  if (!closed && !kept.empty() && kept.back() != count - 1)
+  {
+    kept.push_back(count - 1);
+  }
+  return kept;
+}
+
+std::vector<int> thinEvenly(const Polyline& samples, double spacing, bool closed)
+{
+  std::vector<int> kept = thinStroke(samples, spacing, true);
+  const int last = static_cast<int>(samples.size()) - 1;
+  while (closed && kept.size() > 1 && (samples[kept.back()] - samples.front()).norm() < spacing)
+  {
+    kept.pop_back();
+  }
+  if (!closed && !kept.empty() && kept.back() != last)
+  {
+    if (kept.size() > 1)
+    {
+      kept.pop_back();
+    }
+    kept.push_back(last);
+  }
+  return kept;
+}
+
+std::vector<Blend> chaikinPass(int count, bool closed)
+{
+  std::vector<Blend> places;
+  const int segments = closed ? count : count - 1;
+  if (count < 2)
+  {
+    places.assign(static_cast<std::size_t>(count), Blend::point(0));
+    return places;
+  }
+  for (int i = 0; i < segments; ++i)
+  {
+    const int next = (i + 1) % count;
+    places.push_back({ i, next, 0.25 });
+    places.push_back({ i, next, 0.75 });
+  }
+  if (!closed)
+  {
+    places.front() = Blend::point(0);
+    places.back() = Blend::point(count - 1);
   }
   return places;
 }

@@ -1,4 +1,4 @@
-// A canvas stroke at samples of nearly uniform distance.
+// Other samples for a stroke: at nearly uniform distance, fewer, round its corners.
 #ifndef oversketch_kernels_stroke_resample_h
 #define oversketch_kernels_stroke_resample_h
 
@@ -21,6 +21,23 @@ std::vector<Blend> resampled(const Polyline& points, double spacing, bool closed
 
 // The second half of it: places at the samples that are kept, ascending, and even ones in their gaps.
 std::vector<Blend> evenPlaces(const Polyline& points, std::vector<int> kept, double spacing, bool closed);
+
+// The samples that stay, ascending: the first, each that is at least `spacing` [px] from the last one kept,
+// and the last, where the pen was lifted, however near it is. Only the last one kept counts, so a stroke that
+// crosses itself loses nothing there. Of a closed stroke (its first sample not repeated) the last has no such
+// right.
+std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed = false);
+
+// The same with none nearer to its neighbour than that but the ends of a short stroke: an open stroke's last
+// sample replaces the last one kept, and of a closed one those that are nearer to the first than `spacing`
+// go, so that it closes with an even gap. Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation
+// and Editing", Sec. 4.1, where the usual spacing is 10.
+std::vector<int> thinEvenly(const Polyline& samples, double spacing, bool closed = false);
+
+// One pass of Chaikin's scheme over `count` points: where the points of the result lie on those given, a
+// quarter and three quarters along each segment. An open polyline keeps its ends and gets 2 (count - 1)
+// points, a closed one (its first point not repeated) 2 count. Fewer than two points stay as they are.
+std::vector<Blend> chaikinPass(int count, bool closed);
 
 } // namespace oversketch
 #endif

@@ -48,12 +48,7 @@ struct Walk
       this->points.begin(), this->points.end(), [&](const Vector2& p) { return p != this->points.front(); });
     return *other - this->points.front();
   }
-  double nearest(const Vector2& to) const
-  {
-    const NearestPlace::Answer answer = NearestPlace(this->points)(to);
-    return this->lengths[answer.segment] +
-           answer.t * (this->lengths[answer.segment + 1] - this->lengths[answer.segment]);
-  }
+  double nearest(const Vector2& to) const { return NearestPlace(this->points)(to).along(this->lengths); }
 };
 
 // What comes before the new curve: the old one up to S', then the run into the new one's first point, which

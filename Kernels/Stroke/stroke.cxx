@@ -34,6 +34,16 @@ bool isClosedStroke(const Polyline& samples, const StrokeRules& rules)
   return gap < rules.closedFraction * length && leaves.dot(arrives) > 0.0;
 }
 
+bool comesBack(const Polyline& samples, double gap)
+{
+  if (samples.size() < 3)
+  {
+    return false;
+  }
+  const double between = (samples.back() - samples.front()).norm();
+  return between < gap && between < 0.5 * arcLengths(samples).back();
+}
+
 std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules)
 {
   if (samples.size() < 2)

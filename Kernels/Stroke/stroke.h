@@ -28,6 +28,10 @@ constexpr double longestStroke = 1e5;
 // A U round the tip of a limb comes back in the opposite direction and is open.
 bool isClosedStroke(const Polyline& samples, const StrokeRules& rules);
 
+// Whether a stroke comes back to its start: three samples or more, the ends nearer than `gap` [px]; and, so
+// that a hook of a few pixels is not taken for a ring, nearer than half the length of the stroke.
+bool comesBack(const Polyline& samples, double gap);
+
 // Where the samples of the cleaned stroke lie on the given ones: jitter dropped (both ends kept), then
 // uniform in arc length. Throws Error(Failure::BadStroke) for fewer than two samples, one that is not finite,
 // and for a stroke that is too short, too long, leaves its viewport too far, or is closed.

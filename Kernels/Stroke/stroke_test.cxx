@@ -196,3 +196,16 @@ TEST(Stroke, ScribblesAndSamplesFarBesideTheViewportAreRefused)
   EXPECT_EQ(said(zigzag(14)), "");
   EXPECT_EQ(said({ { 10, 10 }, { 801, 10 } }), "");
 }
+
+TEST(Stroke, WhatComesBackIsARing)
+{
+  Polyline ring;
+  for (int i = 0; i < 40; ++i)
+    ring.emplace_back(50 * std::cos(2 * pi * i / 40), 50 * std::sin(2 * pi * i / 40));
+  EXPECT_TRUE(comesBack(ring, 8.0)); // its ends are 7.8 px apart
+  EXPECT_FALSE(comesBack(ring, 7.0));
+  EXPECT_FALSE(comesBack(ring, 0.0));
+  EXPECT_FALSE(comesBack({ { 0, 0 }, { 4, 0 }, { 4, 4 } }, 8.0)) << "a hook of 8 px";
+  EXPECT_FALSE(comesBack({ { 0, 0 }, { 4, 0 } }, 8.0));
+  EXPECT_FALSE(comesBack({}, 8.0));
+}

@@ -4,7 +4,7 @@
 
 #include "Harness/drawn_meshes.h"
 #include "Inflate/heights.h"
-#include "Inflate/inflate.h"
+#include "Inflate/solid.h"
 #include "Mesh/context.h"
 #include "Raster/grid_smoothing.h"
 

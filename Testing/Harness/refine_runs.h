@@ -3,11 +3,9 @@
 #define oversketch_testing_harness_refine_runs_h
 
 #include "Harness/planar_shapes.h"
+#include "Planar/coarse_faces.h"
 #include "Planar/darts.h"
-#include "Planar/merge_quads.h"
 #include "Planar/refine.h"
-#include "Planar/splits.h"
-#include "Planar/terminal.h"
 #include "Planar/triangulate.h"
 
 namespace oversketch_test

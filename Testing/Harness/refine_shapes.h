@@ -3,6 +3,7 @@
 #define oversketch_testing_harness_refine_shapes_h
 
 #include "Harness/drawing_shapes.h"
+#include "Mesh/shape.h"
 #include "Planar/face_edges.h"
 #include "Planar/refine.h"
 

@@ -2,7 +2,7 @@
 #ifndef oversketch_widgets_edit_layer_text_h
 #define oversketch_widgets_edit_layer_text_h
 
-#include "Shading/layer_list.h"
+#include "Shading/layers.h"
 
 #include <string>
 #include <vector>

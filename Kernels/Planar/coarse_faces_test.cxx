@@ -1,10 +1,8 @@
 // Facts of image-assisted.md, sections 7 and 10: terminal triangles and merged ones.
 #include "Harness/planar_shapes.h"
+#include "Planar/coarse_faces.h"
 #include "Planar/darts.h"
-#include "Planar/merge_quads.h"
 #include "Planar/predicates.h"
-#include "Planar/relax.h"
-#include "Planar/terminal.h"
 #include "Planar/triangulate.h"
 
 #include <gtest/gtest.h>
