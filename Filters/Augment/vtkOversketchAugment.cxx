@@ -148,16 +148,6 @@ bool vtkOversketchAugment::Reshape(double height, double sharpness, vtkPoints* p
     });
 }
 
-double vtkOversketchAugment::GetFigure(const char* name)
-{
-  return this->Inner->FigureOf(name ? name : "");
-}
-
-int vtkOversketchAugment::GetFlippedFaces()
-{
-  return this->Inner->Made ? this->Inner->Counted->FlippedFaces : 0;
-}
-
 void vtkOversketchAugment::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
@@ -263,5 +253,4 @@ void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OneByOne: " << this->OneByOne << "\n";
   os << indent << "Simplify: " << this->Simplify << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
-  os << indent << "FlippedFaces: " << this->GetFlippedFaces() << "\n";
 }

@@ -7,17 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <string>
 #include <vector>
 
 using namespace oversketch;
 
 namespace
 {
-
-const double none = std::numeric_limits<double>::quiet_NaN();
 
 double LongestSegment(vtkPolyData* curves)
 {
@@ -80,28 +75,26 @@ void vtkOversketchAugment::Pipeline::AddFigures()
     std::max(sum.LongestSegment, ::LongestSegment(this->Self->StageOutput(this->CurvesName())));
 }
 
-double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
+vtkOversketchSystem::FigureList vtkOversketchAugment::Figures()
 {
-  if (!this->Counted || !this->Made)
+  const Pipeline& inner = *this->Inner;
+  if (!inner.Counted || !inner.Made)
   {
-    return none;
+    return {};
   }
-  const vtkOversketchAugmentFigures& sum = *this->Counted;
-  if (name == "SmallestAngle")
-  {
-    return ::SmallestAngle(this->Made->Last);
-  }
-  const std::map<std::string, double> figures{ { "Crossings", sum.Crossings },
-    { "Residual", sum.Residual },
-    { "RefusedMoves", sum.RefusedMoves },
-    { "FacesAdded", sum.FacesAdded },
-    { "FlippedFaces", sum.FlippedFaces },
-    { "IntersectingFaces", sum.IntersectingFaces < 0 ? none : sum.IntersectingFaces },
-    { "CrestMean", sum.CrestPlaces ? sum.CrestSum / sum.CrestPlaces : none },
-    { "CrestMinimum", sum.CrestPlaces ? sum.CrestMinimum : none },
-    { "LongestSegment", sum.LongestSegment } };
-  const auto found = figures.find(name);
-  return found == figures.end() ? none : found->second;
+  const vtkOversketchAugmentFigures& sum = *inner.Counted;
+  return { { "base.pairs", inner.Base->GetPairs() },
+    { "base.unpaired", inner.Base->GetUnpaired() },
+    { "met.crossings", sum.Crossings },
+    { "met.residual", sum.Residual },
+    { "met.refused_moves", sum.RefusedMoves },
+    { "met.faces_added", sum.FacesAdded },
+    { "met.flipped_faces", sum.FlippedFaces },
+    { "met.self_intersecting_faces", sum.IntersectingFaces < 0 ? std::nan("") : sum.IntersectingFaces },
+    { "met.crest_mean", sum.CrestPlaces ? sum.CrestSum / sum.CrestPlaces : std::nan("") },
+    { "met.crest_minimum", sum.CrestPlaces ? sum.CrestMinimum : std::nan("") },
+    { "met.longest_curve_segment", sum.LongestSegment },
+    { "met.smallest_angle", ::SmallestAngle(inner.Made->Last) } };
 }
 
 Message vtkOversketchAugment::Pipeline::Remark() const

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <type_traits>
 
 using namespace oversketch;
 
@@ -35,6 +36,27 @@ void vtkOversketchSystem::GetRegion(vtkPolyData* region)
 bool vtkOversketchSystem::Drag(const double*, vtkPoints*)
 {
   return false;
+}
+
+double vtkOversketchSystem::GetFigure(const char* name)
+{
+  double number = std::nan("");
+  for (const auto& [known, figure] : this->Figures())
+  {
+    if (name && known == name)
+    {
+      std::visit(
+        [&number](const auto& value)
+        {
+          if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+          {
+            number = static_cast<double>(value);
+          }
+        },
+        figure);
+    }
+  }
+  return number;
 }
 
 void vtkOversketchSystem::AddStage(const char* name, vtkAlgorithm* step, double share, Listed listed)
