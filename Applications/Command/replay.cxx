@@ -1,6 +1,5 @@
-#include "replay.h"
+#include "verbs.h"
 
-#include "evaluator.h"
 #include "mesh_file.h"
 #include "models.h"
 #include "session_file.h"
@@ -64,15 +63,8 @@ Replayed replay(Recorded model)
     session.backend =
       model.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
-  const double count = static_cast<double>(session.nodes.size());
   Evaluator evaluator;
-  Evaluator::Watch watch;
-  watch.cancelled = interrupted;
-  watch.progress = [&](std::size_t node, const std::string& stage, double share)
-  { showProgress((static_cast<double>(node) + share) / count, stage); };
-  std::vector<Outcome> outcomes;
-  evaluator.run(session, watch, outcomes);
-  throwIfInterrupted();
+  const std::vector<Outcome> outcomes = outcomesOf(evaluator, session);
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
     if (!outcomes[i].failure.empty())
@@ -93,10 +85,7 @@ void replay(const Options& options)
 {
   catchSignals();
   catchMessages();
-  if (isSameFile(options.output, options.session))
-  {
-    throw BadUse("-o " + options.output + " would replace the session");
-  }
+  requireApart({ { "the session", options.session } }, writtenBy(options));
   requireWritable(options.output);
   const SessionFile file = readSession(options.session);
   const std::vector<Recorded> models = modelsIn(file, options);
@@ -110,7 +99,6 @@ void replay(const Options& options)
       meshes.push_back(replayed.back().mesh);
     }
   }
-  clearProgress();
   if (meshes.empty())
   {
     throw Failed(options.session + ": none of its steps makes a mesh");
