@@ -234,12 +234,7 @@ void assemble(const Options& options)
   Notes notes;
   Report report;
   const std::vector<Part> parts = readParts(options.session);
-  const std::vector<NamedFile> written = writtenBy(options);
-  requireApart(readBy(options, parts), written);
-  for (const NamedFile& file : written)
-  {
-    requireWritable(file.second);
-  }
+  requireOutputs(options, readBy(options, parts));
   Sources sources = sourcesOf(parts, notes);
   report.ends("read");
   say(notes);

@@ -85,8 +85,7 @@ void replay(const Options& options)
 {
   catchSignals();
   catchMessages();
-  requireApart({ { "the session", options.session } }, writtenBy(options));
-  requireWritable(options.output);
+  requireOutputs(options, { { "the session", options.session } });
   const SessionFile file = readSession(options.session);
   const std::vector<Recorded> models = modelsIn(file, options);
   std::vector<Replayed> replayed;

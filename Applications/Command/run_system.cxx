@@ -88,7 +88,6 @@ void writeInner(const Options& options, vtkOversketchSystem* system, NewFiles& f
 // Everything that can be known to fail is looked at before the work.
 void checkOutputs(const Options& options, vtkOversketchSystem* system)
 {
-  const std::vector<NamedFile> written = writtenBy(options);
   std::vector<NamedFile> read, inner;
   for (const SystemInput& input : options.system->inputs)
   {
@@ -112,13 +111,7 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
       inner.emplace_back("--inner:", path);
     }
   }
-  std::vector<NamedFile> all = written;
-  all.insert(all.end(), inner.begin(), inner.end());
-  requireApart(read, all);
-  for (const NamedFile& file : written)
-  {
-    requireWritable(file.second);
-  }
+  requireOutputs(options, read, inner);
   if (!options.picture.empty())
   {
     requireDisplay();

@@ -33,33 +33,33 @@ Image readImage(const std::string& path, SystemInput::Kind kind)
   return image;
 }
 
-std::vector<NamedFile> writtenBy(const Options& options)
+void requireOutputs(const Options& options, std::vector<NamedFile> read, const std::vector<NamedFile>& inside)
 {
-  std::vector<NamedFile> written;
-  for (const NamedFile& file : { NamedFile("-o", options.output),
-         NamedFile("--report", options.report),
-         NamedFile("--picture", options.picture) })
+  std::vector<NamedFile> written = {
+    { "-o", options.output }, { "--report", options.report }, { "--picture", options.picture }
+  };
+  written.insert(written.end(), inside.begin(), inside.end());
+  for (const auto& [what, path] : written)
   {
-    if (!file.second.empty())
+    if (path.empty())
     {
-      written.push_back(file);
+      continue;
     }
-  }
-  return written;
-}
-
-void requireApart(std::vector<NamedFile> read, const std::vector<NamedFile>& written)
-{
-  for (const NamedFile& file : written)
-  {
     for (const auto& [other, its] : read)
     {
-      if (isSameFile(file.second, its) && !(file.first == "-o" && other == "the mesh"))
+      if (isSameFile(path, its) && !(what == "-o" && other == "the mesh"))
       {
-        throw BadUse(file.first + " " + file.second + " would replace " + other);
+        throw BadUse(what + " " + path + " would replace " + other);
       }
     }
-    read.push_back(file);
+    read.emplace_back(what, path);
+  }
+  for (const std::string* path : { &options.output, &options.picture, &options.report })
+  {
+    if (!path->empty())
+    {
+      requireWritable(*path);
+    }
   }
 }
 

@@ -31,11 +31,12 @@ oversketch_session::Image readImage(const std::string& path, oversketch_session:
 
 // What a file is ("the mesh", "--report"), and its path.
 using NamedFile = std::pair<std::string, std::string>;
-// Mesh, report and picture, where they are asked for.
-std::vector<NamedFile> writtenBy(const Options& options);
-// Throws BadUse where a file would be replaced that is read, or written as well. OUT may be the mesh, which
-// is then changed in its place.
-void requireApart(std::vector<NamedFile> read, const std::vector<NamedFile>& written);
+// Throws BadUse where a file would be replaced that is read, or written as well: mesh, report, picture and
+// those inside. OUT may be the mesh, which is then changed in its place. Throws Failed where one, but those
+// inside, cannot be written.
+void requireOutputs(const Options& options,
+  std::vector<NamedFile> read,
+  const std::vector<NamedFile>& inside = {});
 
 // Runs a session, with a progress line: one of so many, after those that are done. Throws Failed after an
 // interrupt.

@@ -198,7 +198,7 @@ void vtkOversketchEdit::GetRegion(vtkPolyData* region)
   region->Initialize();
   if (this->Inner->Made)
   {
-    this->Inner->PutRegion(region);
+    PutTriangles(this->Inner->Made->Output, this->Inner->Made->Moved, 1, region);
   }
 }
 

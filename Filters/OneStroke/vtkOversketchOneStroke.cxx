@@ -2,9 +2,6 @@
 
 #include "vtkOversketchOneStrokePipeline.h"
 
-#include "vtkAlgorithmOutput.h"
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -73,13 +70,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
 
 bool vtkOversketchOneStroke::Prepare()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return false;
-  }
-  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
-  source->GetProducer()->Update(source->GetIndex());
-  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
   if (!mesh || mesh->GetNumberOfPoints() == 0)
   {
     return false;
@@ -147,34 +138,11 @@ bool vtkOversketchOneStroke::Drag(const double translation[3], vtkPoints* points
 void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
 {
   region->Initialize();
-  if (!this->Inner->Following)
+  if (this->Inner->Following)
   {
-    return;
+    vtkPolyData* mesh = this->StageOutput(this->Remeshed ? "Restore" : this->Inner->Deformation);
+    PutTriangles(mesh, LabelsOf(mesh->GetPointData()->GetArray("Region")), 3, region);
   }
-  vtkPolyData* mesh = this->StageOutput(this->Remeshed ? "Restore" : this->Inner->Deformation);
-  const std::vector<char> inside = LabelsOf(mesh->GetPointData()->GetArray("Region"));
-  std::vector<vtkIdType> number(inside.size(), -1);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (!inside[ids->GetId(0)] || !inside[ids->GetId(1)] || !inside[ids->GetId(2)])
-    {
-      continue;
-    }
-    triangles->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      vtkIdType& id = number[ids->GetId(k)];
-      id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(ids->GetId(k)));
-      triangles->InsertCellPoint(id);
-    }
-  }
-  region->SetPoints(points);
-  region->SetPolys(triangles);
 }
 
 void vtkOversketchOneStroke::ReleaseWork()

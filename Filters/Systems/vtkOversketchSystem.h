@@ -165,6 +165,13 @@ protected:
   void RunStage(const char* name, const std::function<void()>& work = nullptr);
   // The output of a step by its own name.
   vtkPolyData* StageOutput(const char* name);
+  // What an input port is given, brought up to date outside a run; null where that is nothing.
+  vtkDataObject* UpdatedInput(int port);
+  // The triangles of a mesh that have so many chosen corners at least, as GetRegion gives them.
+  static void PutTriangles(vtkPolyData* mesh,
+    const std::vector<char>& chosen,
+    int corners,
+    vtkPolyData* region);
   // The share of the run that is done [0 to 1].
   double GetDone() const { return this->Done; }
 
