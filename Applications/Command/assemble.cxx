@@ -229,8 +229,6 @@ Json::Value jsonOf(const Part& part, const Made& made)
 
 void assemble(const Options& options)
 {
-  catchSignals();
-  catchMessages();
   Notes notes;
   Report report;
   const std::vector<Part> parts = readParts(options.session);

@@ -1,6 +1,7 @@
 // The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
 #include "files.h"
 #include "options.h"
+#include "terminal.h"
 #include "verbs.h"
 
 #include "OpenCL/device.h"
@@ -49,6 +50,8 @@ std::string versionText()
 int run(const std::vector<std::string>& arguments)
 {
   const Options options = parseArguments(arguments);
+  catchSignals();
+  catchMessages();
   switch (options.action)
   {
     case Action::Help:

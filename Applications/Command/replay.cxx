@@ -83,8 +83,6 @@ Replayed replay(Recorded model)
 
 void replay(const Options& options)
 {
-  catchSignals();
-  catchMessages();
   requireOutputs(options, { { "the session", options.session } });
   const SessionFile file = readSession(options.session);
   const std::vector<Recorded> models = modelsIn(file, options);

@@ -13,11 +13,13 @@
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <filesystem>
@@ -232,32 +234,10 @@ void tellIdle(const Step& step, const SystemRow& system)
 
 bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
 {
-  if (mesh->GetNumberOfPolys() != other->GetNumberOfPolys() ||
-      mesh->GetNumberOfPoints() != other->GetNumberOfPoints())
-  {
-    return false;
-  }
-  std::array<double, 3> one, two;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    mesh->GetPoint(i, one.data());
-    other->GetPoint(i, two.data());
-    if (one != two)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// What is to be said of a result, so that nothing is spoilt, or left as it was, in silence.
-void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outcome)
-{
-  if (mesh && isSameMesh(mesh, outcome.mesh))
-  {
-    warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
-         " --help lists what moves it");
-  }
+  const auto one = vtk::DataArrayValueRange<3>(mesh->GetPoints()->GetData());
+  const auto two = vtk::DataArrayValueRange<3>(other->GetPoints()->GetData());
+  return mesh->GetNumberOfPolys() == other->GetNumberOfPolys() &&
+         std::equal(one.begin(), one.end(), two.begin(), two.end());
 }
 
 // One step on the mesh that is given, if the system takes one.
@@ -312,8 +292,6 @@ Session sessionOf(const Options& options, Notes& notes)
 
 void runSystem(const Options& options)
 {
-  catchSignals();
-  catchMessages();
   Evaluator evaluator;
   vtkOversketchSystem* const system = evaluator.system(options.system->name);
   checkOutputs(options, system);
@@ -335,7 +313,11 @@ void runSystem(const Options& options)
   {
     throw Failed(inOptions(outcome.failure, *options.system));
   }
-  tellOfResult(options, session.mesh.Get(), outcome);
+  if (session.mesh && isSameMesh(session.mesh, outcome.mesh)) // so that nothing is left as it was in silence
+  {
+    warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
+         " --help lists what moves it");
+  }
 
   NewFiles files;
   writeMesh(outcome.mesh, options.output, notes, files);

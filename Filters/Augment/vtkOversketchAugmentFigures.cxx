@@ -1,9 +1,9 @@
 // What the steps of vtkOversketchAugment count, over all its strokes.
 #include "vtkOversketchAugmentPipeline.h"
-#include "vtkOversketchStellarCurves.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
+#include "Mesh/shape.h"
+#include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStellarCurves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,24 +30,14 @@ double LongestSegment(vtkPolyData* curves)
 // In degrees; 0 where a triangle has no area.
 double SmallestAngle(vtkPolyData* mesh)
 {
-  double largest = -1.0; // the cosine
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  const auto data = SharedMesh(mesh);
+  const std::vector<Vector3>& points = data->Surface().points;
+  double least = 1.0; // the sine squared
+  for (const Triangle& t : data->Surface().triangles)
   {
-    mesh->GetPolys()->GetCellAtId(f, ids);
-    Vector3 p[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      mesh->GetPoint(ids->GetId(k), p[k].data());
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 x = p[(k + 1) % 3] - p[k], y = p[(k + 2) % 3] - p[k];
-      const double lengths = x.norm() * y.norm();
-      largest = std::max(largest, lengths > 0.0 ? x.dot(y) / lengths : 1.0);
-    }
+    least = std::min(least, narrowness(points[t[0]], points[t[1]], points[t[2]]));
   }
-  return std::acos(std::min(largest, 1.0)) * 180.0 / std::acos(-1.0);
+  return std::asin(std::sqrt(least)) * 180.0 / std::acos(-1.0);
 }
 
 } // namespace
