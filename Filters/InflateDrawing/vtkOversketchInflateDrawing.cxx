@@ -370,6 +370,10 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
 
 vtkOversketchSystem::FigureList vtkOversketchInflateDrawing::Figures()
 {
+  if (this->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    return {};
+  }
   const char* const words[] = { "rejected", "unknown", "boundary", "closed feature", "open feature" };
   vtkDataArray* roles = this->StageOutput("Treatment")->GetCellData()->GetArray("Role");
   std::vector<std::string> strokes;
