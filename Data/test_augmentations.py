@@ -44,7 +44,7 @@ def test_result(path):
     result = oversketch.update(system)
 
     assert system.GetInnerOutput("Sketch" if silhouette else "Curves").GetNumberOfCells() == strokes.GetOutput().GetNumberOfCells()
-    assert system.GetFlippedFaces() == 0
+    assert system.GetFigure("met.flipped_faces") == 0
     assert result.GetPointData().GetArray("Feature").GetRange() == (0.0, 1.0)
     before, after = mesh.GetOutput().GetNumberOfCells(), result.GetNumberOfCells()
     print(f"{path.stem}: {before} triangles become {after}")

@@ -1,16 +1,13 @@
-#include "assemble.h"
+#include "verbs.h"
 
-#include "evaluator.h"
 #include "mesh_file.h"
 #include "option_names.h"
 #include "parts.h"
 #include "parts_file.h"
 #include "report.h"
-#include "run_system.h"
 #include "terminal.h"
 
 #include "vtkOversketchAssemble.h"
-#include "vtkOversketchSystem.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -21,11 +18,9 @@
 #include "vtk_jsoncpp.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -38,20 +33,20 @@ using namespace oversketch_session;
 namespace
 {
 
-// What a source was read as: a mesh, or a step that makes one; and what it is in the end.
+// The model that a source is, and what came of it.
 struct Made
 {
   std::string where; // the first part that is made of it
-  std::shared_ptr<const Step> step;
+  Session session;
   vtkSmartPointer<vtkPolyData> mesh;
   Json::Value figures;
 };
 using Sources = std::map<PartSource, Made>;
 
-// Throws BadUse where a file would be replaced that is read, or written as well.
-void requireApart(const Options& options, const std::vector<Part>& parts)
+// The files that are read.
+std::vector<NamedFile> readBy(const Options& options, const std::vector<Part>& parts)
 {
-  std::vector<std::pair<std::string, std::string>> taken = { { "the parts", options.session } };
+  std::vector<NamedFile> read = { { "the parts", options.session } };
   for (const Part& part : parts)
   {
     for (const auto& [what, path] : { std::pair("the drawing of ", part.source.drawing),
@@ -61,27 +56,22 @@ void requireApart(const Options& options, const std::vector<Part>& parts)
     {
       if (!path.empty())
       {
-        taken.emplace_back(what + part.where, path);
+        read.emplace_back(what + part.where, path);
       }
     }
   }
-  for (const auto& [what, path] : { std::pair("-o", options.output), std::pair("--report", options.report) })
-  {
-    for (const auto& [other, its] : taken)
-    {
-      if (!path.empty() && isSameFile(path, its))
-      {
-        std::ostringstream message;
-        message << what << ' ' << path << " would replace " << other;
-        throw BadUse(message.str());
-      }
-    }
-    taken.emplace_back(what, path);
-  }
+  return read;
 }
 
-std::shared_ptr<const Step> stepOf(const PartSource& source)
+// A session of a mesh alone, or of a step that makes one of a drawing.
+Session sessionOfPart(const PartSource& source, Notes& notes)
 {
+  Session session;
+  if (!source.mesh.empty())
+  {
+    session.mesh = readMesh(source.mesh, notes);
+    return session;
+  }
   auto step = std::make_shared<Step>();
   step->system = "InflateDrawing";
   step->values = source.values;
@@ -94,7 +84,10 @@ std::shared_ptr<const Step> stepOf(const PartSource& source)
       step->inputs[input] = readImage(path, SystemInput::Kind::Picture);
     }
   }
-  return step;
+  session.nodes.emplace_back();
+  session.nodes[0].id = 1;
+  session.nodes[0].step = step;
+  return session;
 }
 
 // Each source once, however many parts are made of it.
@@ -113,14 +106,7 @@ Sources sourcesOf(const std::vector<Part>& parts, Notes& notes)
     made.where = part.where;
     try
     {
-      if (part.source.mesh.empty())
-      {
-        made.step = stepOf(part.source);
-      }
-      else
-      {
-        made.mesh = readMesh(part.source.mesh, notes);
-      }
+      made.session = sessionOfPart(part.source, notes);
     }
     catch (const Failed& failed)
     {
@@ -130,42 +116,29 @@ Sources sourcesOf(const std::vector<Part>& parts, Notes& notes)
   return sources;
 }
 
-// A model of each drawing.
-void runDrawings(Sources& sources)
+// A model of each.
+void runSources(Sources& sources)
 {
   Evaluator evaluator;
   double done = 0.0;
   for (auto& [source, made] : sources)
   {
-    if (made.step)
+    const std::vector<Outcome> outcomes =
+      outcomesOf(evaluator, made.session, done++, static_cast<double>(sources.size()));
+    made.mesh = resultOf(made.session, outcomes);
+    for (const Outcome& outcome : outcomes)
     {
-      Evaluator::Watch watch;
-      watch.cancelled = interrupted;
-      watch.progress = [&, count = static_cast<double>(sources.size())](
-                         std::size_t, const std::string& stage, double share)
-      { showProgress((done + share) / count, stage); };
-      const SystemRow& system = *findSystem(made.step->system);
-      Session session;
-      session.nodes.emplace_back();
-      session.nodes[0].id = 1;
-      session.nodes[0].step = made.step;
-      std::vector<Outcome> outcomes;
-      evaluator.run(session, watch, outcomes);
-      throwIfInterrupted();
-      for (const oversketch::Message& remark : outcomes[0].remarks)
+      const SystemRow& system = *findSystem(made.session.nodes[0].step->system);
+      for (const oversketch::Message& remark : outcome.remarks)
       {
         warn(made.where + ": " + inMembers(remark, system));
       }
-      if (!outcomes[0].failure.empty())
+      if (!outcome.failure.empty())
       {
-        throw Failed(made.where + ": " + inMembers(outcomes[0].failure, system));
+        throw Failed(made.where + ": " + inMembers(outcome.failure, system));
       }
-      made.mesh = outcomes[0].mesh;
-      vtkOversketchSystem* const ran = evaluator.system(made.step->system);
-      made.figures["stage_milliseconds"] = stageTimes(ran);
-      addFigures(ran, made.figures);
+      addFigures(evaluator.system(system.name), made.figures);
     }
-    done += 1.0;
   }
 }
 
@@ -256,37 +229,22 @@ Json::Value jsonOf(const Part& part, const Made& made)
 
 void assemble(const Options& options)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point begin)
-  { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); };
-  catchSignals();
-  catchMessages();
   Notes notes;
   Report report;
-  auto begin = Clock::now();
   const std::vector<Part> parts = readParts(options.session);
-  requireApart(options, parts);
-  for (const std::string* path : { &options.output, &options.report })
-  {
-    if (!path->empty())
-    {
-      requireWritable(*path);
-    }
-  }
+  requireOutputs(options, readBy(options, parts));
   Sources sources = sourcesOf(parts, notes);
-  report.readMilliseconds = since(begin);
+  report.ends("read");
   say(notes);
 
-  begin = Clock::now();
-  runDrawings(sources);
+  runSources(sources);
   const vtkSmartPointer<vtkPolyData> whole = joined(parts, sources);
-  report.runMilliseconds = since(begin);
+  report.ends("run");
   noteLost(options.session, sources, whole, notes);
 
-  begin = Clock::now();
   NewFiles files;
   writeMesh(whole, options.output, notes, files);
-  report.writeMilliseconds = since(begin);
+  report.ends("write");
   if (!options.report.empty())
   {
     Json::Value list(Json::arrayValue);

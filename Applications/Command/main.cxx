@@ -1,15 +1,24 @@
 // The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
-#include "assemble.h"
 #include "files.h"
 #include "options.h"
-#include "replay.h"
-#include "run_system.h"
-#include "version.h"
+#include "terminal.h"
+#include "verbs.h"
+
+#include "OpenCL/device.h"
+
+#include "vtkVersion.h"
+
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
+#include <embree3/rtcore.h>
+#endif
 
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 
 using namespace oversketch_command;
@@ -18,9 +27,31 @@ using namespace oversketch_files;
 namespace
 {
 
+std::string versionText()
+{
+  std::ostringstream text;
+  text << "Oversketch " << OVERSKETCH_VERSION << '\n';
+  text << "VTK        " << vtkVersion::GetVTKVersion() << '\n';
+  text << "OpenCL     ";
+  if (const auto device = oversketch::Device::instance())
+  {
+    text << device->info().platform << ", " << device->info().device << " (" << device->info().version
+         << ")\n";
+  }
+  else
+  {
+    text << "no device; the host does the work\n";
+  }
+  text << "Embree     " << RTC_VERSION_STRING << '\n';
+  text << "Build      " << OVERSKETCH_BUILD << '\n';
+  return text.str();
+}
+
 int run(const std::vector<std::string>& arguments)
 {
   const Options options = parseArguments(arguments);
+  catchSignals();
+  catchMessages();
   switch (options.action)
   {
     case Action::Help:

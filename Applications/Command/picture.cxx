@@ -4,9 +4,6 @@
 
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
-#ifdef OVERSKETCH_WITH_AUGMENT
-#include "vtkOversketchAugment.h"
-#endif
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -46,6 +43,7 @@ namespace oversketch_command
 {
 
 using namespace oversketch_files;
+using namespace oversketch_session;
 
 namespace
 {
@@ -293,20 +291,22 @@ vtkSmartPointer<vtkPolyData> ofFirstView(vtkPolyData* strokes)
 }
 
 // What a picture of a system shows in lines: what it took hold of, and the strokes.
-std::vector<Ink> inkOf(vtkOversketchSystem* system, vtkPolyData* strokes, const View& view)
+std::vector<Ink> inkOf(const SystemRow& row,
+  vtkOversketchSystem* system,
+  vtkPolyData* strokes,
+  const View& view)
 {
   vtkNew<vtkPolyData> hold;
   system->GetHold(hold);
   std::vector<Ink> drawn = inkOf(strokes, nullptr, red);
-#ifdef OVERSKETCH_WITH_AUGMENT
-  if (auto* augment = vtkOversketchAugment::SafeDownCast(system))
+  if (const Parameter* mode = findParameter(row, "SketchMode")) // of strokes that raise and carve
   {
     vtkDataArray* heights = strokes->GetCellData()->GetArray("Height");
-    const bool isOutline = augment->GetSketchMode() == vtkOversketchAugment::Silhouette;
+    const double usual = std::get<double>(findParameter(row, "Height")->get(system));
+    const bool isOutline = mode->get(system) == Value(1);
     for (std::size_t i = 0; i < drawn.size(); ++i)
     {
-      const double height =
-        heights ? heights->GetComponent(static_cast<vtkIdType>(i), 0) : augment->GetHeight();
+      const double height = heights ? heights->GetComponent(static_cast<vtkIdType>(i), 0) : usual;
       drawn[i].colour = isOutline ? green : height < 0.0 ? yellow : red;
     }
     if (!isOutline)
@@ -314,7 +314,6 @@ std::vector<Ink> inkOf(vtkOversketchSystem* system, vtkPolyData* strokes, const 
       return drawn; // curves lie under the strokes, or on the far side
     }
   }
-#endif
   std::vector<Ink> lines = inkOf(hold, &view, blue);
   lines.insert(lines.end(), drawn.begin(), drawn.end());
   return lines;
@@ -363,7 +362,11 @@ void requireDisplay()
   }
 }
 
-void writePicture(vtkOversketchSystem* system, vtkPolyData* strokes, const std::string& path, NewFiles& files)
+void writePicture(const SystemRow& row,
+  vtkOversketchSystem* system,
+  vtkPolyData* strokes,
+  const std::string& path,
+  NewFiles& files)
 {
   const vtkSmartPointer<vtkPolyData> shown = ofFirstView(strokes);
   const View view = oversketch::ViewOf(shown);
@@ -373,7 +376,7 @@ void writePicture(vtkOversketchSystem* system, vtkPolyData* strokes, const std::
   vtkNew<vtkRenderer> scene, ink;
   light(scene, modelOf(system->GetOutput(), region, view), view);
   ink->SetLayer(1);
-  draw(ink, inkOf(system, shown, view), view);
+  draw(ink, inkOf(row, system, shown, view), view);
 
   // Larger and averaged: smooth edges without depending on the driver's multisampling.
   const int factor = std::clamp(4096 / std::max(width, height), 1, 3);

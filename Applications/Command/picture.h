@@ -3,6 +3,7 @@
 #define oversketch_applications_command_picture_h
 
 #include "files.h"
+#include "systems.h"
 
 #include <string>
 
@@ -18,7 +19,8 @@ void requireDisplay();
 // The result as the first stroke's view shows it, in its viewport size: the part that moved orange, the rest
 // light grey, what the stroke took hold of blue, strokes of this view red, those that carve yellow, new
 // outlines of an augmentation green (the colours of the papers' figures). One of the files.
-void writePicture(vtkOversketchSystem* system,
+void writePicture(const oversketch_session::SystemRow& row,
+  vtkOversketchSystem* system,
   vtkPolyData* strokes,
   const std::string& path,
   oversketch_files::NewFiles& files);

@@ -1,6 +1,5 @@
-#include "replay.h"
+#include "verbs.h"
 
-#include "evaluator.h"
 #include "mesh_file.h"
 #include "models.h"
 #include "session_file.h"
@@ -64,15 +63,8 @@ Replayed replay(Recorded recorded)
     model.backend =
       recorded.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
-  const double count = static_cast<double>(model.nodes.size());
   Evaluator evaluator;
-  Evaluator::Watch watch;
-  watch.cancelled = interrupted;
-  watch.progress = [&](std::size_t node, const std::string& stage, double share)
-  { showProgress((static_cast<double>(node) + share) / count, stage); };
-  std::vector<Outcome> outcomes;
-  evaluator.run(model, watch, outcomes);
-  throwIfInterrupted();
+  const std::vector<Outcome> outcomes = outcomesOf(evaluator, model);
   for (std::size_t i = 0; i < outcomes.size(); ++i)
   {
     if (!outcomes[i].failure.empty())
@@ -91,13 +83,7 @@ Replayed replay(Recorded recorded)
 
 void replay(const Options& options)
 {
-  catchSignals();
-  catchMessages();
-  if (isSameFile(options.output, options.session))
-  {
-    throw BadUse("-o " + options.output + " would replace the session");
-  }
-  requireWritable(options.output);
+  requireOutputs(options, { { "the session", options.session } });
   const SessionFile file = readSession(options.session);
   const std::vector<Recorded> models = modelsIn(file, options);
   std::vector<Replayed> replayed;
@@ -110,7 +96,6 @@ void replay(const Options& options)
       meshes.push_back(replayed.back().mesh);
     }
   }
-  clearProgress();
   if (meshes.empty())
   {
     throw Failed(options.session + ": none of its steps makes a mesh");

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+#include <vector>
 
 namespace oversketch_command
 {
@@ -21,8 +23,34 @@ using namespace oversketch_session;
 namespace
 {
 
+// A figure as JSON; null where it could not be had.
+Json::Value asJson(bool value)
+{
+  return value;
+}
+
+Json::Value asJson(vtkIdType value)
+{
+  return static_cast<Json::Int64>(value);
+}
+
+Json::Value asJson(double value)
+{
+  return std::isfinite(value) ? Json::Value(value) : Json::Value();
+}
+
+Json::Value asJson(const std::vector<std::string>& words)
+{
+  Json::Value list(Json::arrayValue);
+  for (const std::string& word : words)
+  {
+    list.append(word);
+  }
+  return list;
+}
+
 // The field arrays of one value.
-void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
+void addFields(vtkPolyData* data, const std::string& name, Json::Value& json)
 {
   vtkFieldData* fields = data ? data->GetFieldData() : nullptr;
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
@@ -30,7 +58,7 @@ void addFigures(vtkPolyData* data, const std::string& name, Json::Value& json)
     vtkDataArray* array = fields->GetArray(i); // null for texts
     if (array && array->GetName() && array->GetNumberOfValues() == 1)
     {
-      json[name][array->GetName()] = number(array->GetComponent(0, 0));
+      json[name][array->GetName()] = asJson(array->GetComponent(0, 0));
     }
   }
 }
@@ -48,24 +76,6 @@ Json::Value optionsOf(const Options& options, const Step& step)
   return json;
 }
 
-// What the command was called with, and how long it took.
-Json::Value beginning(const Report& report, const std::string& verb, const Options& options)
-{
-  Json::Value json;
-  json["oversketch"] = OVERSKETCH_VERSION;
-  json["command"] = verb;
-  json["output"] = options.output;
-  json["milliseconds"]["read"] = number(report.readMilliseconds);
-  json["milliseconds"]["run"] = number(report.runMilliseconds);
-  json["milliseconds"]["write"] = number(report.writeMilliseconds);
-  json["warnings"] = Json::arrayValue;
-  for (const std::string& warning : warned())
-  {
-    json["warnings"].append(warning);
-  }
-  return json;
-}
-
 std::string written(const Json::Value& json)
 {
   Json::StreamWriterBuilder writer;
@@ -76,11 +86,6 @@ std::string written(const Json::Value& json)
 
 } // namespace
 
-Json::Value number(double value)
-{
-  return std::isfinite(value) ? Json::Value(value) : Json::Value();
-}
-
 Json::Value countsOf(vtkPolyData* mesh)
 {
   Json::Value json;
@@ -89,14 +94,48 @@ Json::Value countsOf(vtkPolyData* mesh)
   return json;
 }
 
-Json::Value stageTimes(vtkOversketchSystem* system)
+void addFigures(vtkOversketchSystem* system, Json::Value& json)
 {
-  Json::Value json;
   for (int i = 0; i < system->GetNumberOfStages(); ++i)
   {
     const char* name = system->GetStage(i);
-    json[name] = number(1e3 * system->GetStageTime(name));
+    json["stage_milliseconds"][name] = asJson(1e3 * system->GetStageTime(name));
   }
+  for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
+  {
+    const char* name = system->GetInnerOutputName(i);
+    vtkPolyData* made = system->GetInnerOutput(name);
+    if (made && made->GetNumberOfPolys() > 0)
+    {
+      json["faces"][name] = asJson(made->GetNumberOfPolys());
+    }
+  }
+  for (const auto& [name, figure] : system->Figures())
+  {
+    Json::Value& member = Json::Path(name).make(json);
+    std::visit([&member](const auto& value) { member = asJson(value); }, figure);
+  }
+}
+
+void Report::ends(const std::string& part)
+{
+  const auto now = std::chrono::steady_clock::now();
+  this->Milliseconds[part] = std::chrono::duration<double, std::milli>(now - this->Begun).count();
+  this->Begun = now;
+}
+
+// What the command was called with, and how long it took.
+Json::Value Report::beginning(const std::string& verb, const Options& options) const
+{
+  Json::Value json;
+  json["oversketch"] = OVERSKETCH_VERSION;
+  json["command"] = verb;
+  json["output"] = options.output;
+  for (const auto& [part, milliseconds] : this->Milliseconds)
+  {
+    json["milliseconds"][part] = milliseconds;
+  }
+  json["warnings"] = asJson(warned());
   return json;
 }
 
@@ -106,7 +145,7 @@ std::string Report::json(const Options& options,
   vtkPolyData* mesh,
   vtkPolyData* result) const
 {
-  Json::Value json = beginning(*this, options.system->verb, options);
+  Json::Value json = this->beginning(options.system->verb, options);
   for (const SystemInput& input : options.system->inputs)
   {
     if (!options.inputs.at(input.name).empty())
@@ -116,7 +155,6 @@ std::string Report::json(const Options& options,
   }
   json["options"] = optionsOf(options, step);
   json["backend_used"] = backendWords()[static_cast<std::size_t>(system->GetBackendUsed())];
-  json["stage_milliseconds"] = stageTimes(system);
   if (mesh)
   {
     json["before"] = countsOf(mesh);
@@ -126,16 +164,16 @@ std::string Report::json(const Options& options,
   for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
   {
     const char* name = system->GetInnerOutputName(i);
-    addFigures(system->GetInnerOutput(name), name, json["fields"]);
+    addFields(system->GetInnerOutput(name), name, json["fields"]);
   }
-  addFigures(result, "Output", json["fields"]);
-  oversketch_command::addFigures(system, json);
+  addFields(result, "Output", json["fields"]);
+  addFigures(system, json);
   return written(json);
 }
 
 std::string Report::assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const
 {
-  Json::Value json = beginning(*this, "assemble", options);
+  Json::Value json = this->beginning("assemble", options);
   json["parts_file"] = options.session;
   json["parts"] = parts;
   json["after"] = countsOf(result);

@@ -6,8 +6,9 @@
 
 #include "vtk_jsoncpp_fwd.h"
 
+#include <chrono>
+#include <map>
 #include <string>
-#include <vector>
 
 class vtkOversketchSystem;
 class vtkPolyData;
@@ -15,9 +16,11 @@ class vtkPolyData;
 namespace oversketch_command
 {
 
-struct Report
+class Report
 {
-  double readMilliseconds = 0.0, runMilliseconds = 0.0, writeMilliseconds = 0.0;
+public:
+  // Takes the time since the last call, or since it was made, for a part of the work: "read", "run", "write".
+  void ends(const std::string& part);
 
   // JSON: files and options; times [ms]; all that was warned of; counts before (where there was a mesh) and
   // after; each field array of one value that a stage or the system put out; what ran where; and what
@@ -29,22 +32,19 @@ struct Report
     vtkPolyData* result) const;
   // JSON of an assembled mesh: files, times and warnings, what is told of each part, counts.
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
+
+private:
+  Json::Value beginning(const std::string& verb, const Options& options) const;
+
+  std::chrono::steady_clock::time_point Begun = std::chrono::steady_clock::now();
+  std::map<std::string, double> Milliseconds;
 };
 
-// A figure; null where it could not be had.
-Json::Value number(double value);
 // Points and triangles.
 Json::Value countsOf(vtkPolyData* mesh);
-// How long each stage of the last run took [ms].
-Json::Value stageTimes(vtkOversketchSystem* system);
-
-// Of one stroke: the matched section with its distance and score [px] and lengths [model length]; the
-// region's size; the handles' residuals [model length]; whether it was remeshed. Of an augmentation: pairs;
-// faces after each stage; what GetFigure tells of it. Of an edit: gaps that curves were led over, points
-// moved, edges folded, pairs of triangles that newly cross and the share of the ring that was seen.
+// Of the last run: how long each stage took [ms], the faces that it made, and what the system tells of
+// itself.
 void addFigures(vtkOversketchSystem* system, Json::Value& json);
-// Before the run: what costs time and is counted for a report alone.
-void askForFigures(vtkOversketchSystem* system);
 
 } // namespace oversketch_command
 #endif

@@ -1,29 +1,26 @@
-#include "run_system.h"
+#include "verbs.h"
 
-#include "evaluator.h"
-#include "heights.h"
 #include "layers_file.h"
 #include "mesh_file.h"
-#include "option_values.h"
 #include "option_names.h"
+#include "option_values.h"
 #include "picture.h"
 #include "report.h"
 #include "terminal.h"
-#include "texture.h"
-#include "upright_picture.h"
 
 #include "vtkOversketchSystem.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkXMLImageDataWriter.h"
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <locale>
@@ -90,68 +87,33 @@ void writeInner(const Options& options, vtkOversketchSystem* system, NewFiles& f
   }
 }
 
-// Throws BadUse where a file would be replaced that is read, or written as well. OUT may be the mesh, which
-// is then changed in its place.
-void requireApart(const Options& options, vtkOversketchSystem* system)
+// Everything that can be known to fail is looked at before the work.
+void checkOutputs(const Options& options, vtkOversketchSystem* system)
 {
-  std::vector<std::pair<std::string, std::string>> taken; // what it is, its path
-  const auto take = [&](const std::string& what, const std::string& path, bool mayBeMesh)
-  {
-    for (const auto& [other, its] : taken)
-    {
-      if (isSameFile(path, its) && !(mayBeMesh && other == "the mesh"))
-      {
-        std::ostringstream message;
-        message << what << ' ' << path << " would replace " << other;
-        throw BadUse(message.str());
-      }
-    }
-    taken.emplace_back(what, path);
-  };
+  std::vector<NamedFile> read, inner;
   for (const SystemInput& input : options.system->inputs)
   {
     const std::string& path = options.inputs.at(input.name);
     if (!path.empty() && !isPlaces(input, path))
     {
-      taken.emplace_back(input.kind == SystemInput::Kind::Mesh ? "the mesh" : "the " + input.word, path);
+      read.emplace_back(input.kind == SystemInput::Kind::Mesh ? "the mesh" : "the " + input.word, path);
     }
   }
   for (const auto& named : options.textFiles)
   {
     if (!named.second.empty())
     {
-      taken.emplace_back("the " + findParameter(*options.system, named.first)->word, named.second);
-    }
-  }
-  take("-o", options.output, true);
-  for (const auto& [what, path] :
-    { std::pair("--report", options.report), std::pair("--picture", options.picture) })
-  {
-    if (!path.empty())
-    {
-      take(what, path, false);
+      read.emplace_back("the " + findParameter(*options.system, named.first)->word, named.second);
     }
   }
   for (int i = 0; !options.inner.empty() && i < system->GetNumberOfInnerOutputs(); ++i)
   {
     for (const std::string& path : innerPaths(options, system, system->GetInnerOutputName(i)))
     {
-      take("--inner:", path, false);
+      inner.emplace_back("--inner:", path);
     }
   }
-}
-
-// Everything that can be known to fail is looked at before the work.
-void checkOutputs(const Options& options, vtkOversketchSystem* system)
-{
-  requireApart(options, system);
-  for (const std::string* path : { &options.output, &options.picture, &options.report })
-  {
-    if (!path->empty())
-    {
-      requireWritable(*path);
-    }
-  }
+  requireOutputs(options, read, inner);
   if (!options.picture.empty())
   {
     requireDisplay();
@@ -164,12 +126,9 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
     {
       throw Failed(options.inner + ": is no folder and could not be made one");
     }
-    for (int i = 0; i < system->GetNumberOfInnerOutputs(); ++i)
+    for (const NamedFile& file : inner)
     {
-      for (const std::string& path : innerPaths(options, system, system->GetInnerOutputName(i)))
-      {
-        requireWritable(path);
-      }
+      requireWritable(file.second);
     }
   }
 }
@@ -275,32 +234,10 @@ void tellIdle(const Step& step, const SystemRow& system)
 
 bool isSameMesh(vtkPolyData* mesh, vtkPolyData* other)
 {
-  if (mesh->GetNumberOfPolys() != other->GetNumberOfPolys() ||
-      mesh->GetNumberOfPoints() != other->GetNumberOfPoints())
-  {
-    return false;
-  }
-  std::array<double, 3> one, two;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    mesh->GetPoint(i, one.data());
-    other->GetPoint(i, two.data());
-    if (one != two)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// What is to be said of a result, so that nothing is spoilt, or left as it was, in silence.
-void tellOfResult(const Options& options, vtkPolyData* mesh, const Outcome& outcome)
-{
-  if (mesh && isSameMesh(mesh, outcome.mesh))
-  {
-    warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
-         " --help lists what moves it");
-  }
+  const auto one = vtk::DataArrayValueRange<3>(mesh->GetPoints()->GetData());
+  const auto two = vtk::DataArrayValueRange<3>(other->GetPoints()->GetData());
+  return mesh->GetNumberOfPolys() == other->GetNumberOfPolys() &&
+         std::equal(one.begin(), one.end(), two.begin(), two.end());
 }
 
 // One step on the mesh that is given, if the system takes one.
@@ -353,70 +290,38 @@ Session sessionOf(const Options& options, Notes& notes)
 
 } // namespace
 
-Image readImage(const std::string& path, SystemInput::Kind kind)
-{
-  requireReadable(path);
-  Image image{ std::filesystem::path(path).filename().string(),
-    std::make_shared<const std::string>(wholeFile(path)) };
-  if (kind == SystemInput::Kind::Heights)
-  {
-    parseHeights(path, *image.bytes);
-    return image;
-  }
-  image.bytes = std::make_shared<const std::string>(uprightPicture(*image.bytes));
-  if (!pictureOf(*image.bytes))
-  {
-    throw Failed(path + ": is " + notAnUprightPicture);
-  }
-  return image;
-}
-
 void runSystem(const Options& options)
 {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point begin)
-  { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); };
-  catchSignals();
-  catchMessages();
   Evaluator evaluator;
   vtkOversketchSystem* const system = evaluator.system(options.system->name);
   checkOutputs(options, system);
-  if (!options.report.empty())
-  {
-    askForFigures(system);
-  }
 
   Notes notes;
   Report report;
-  auto begin = Clock::now();
   const Session session = sessionOf(options, notes);
-  report.readMilliseconds = since(begin);
+  report.ends("read");
   say(notes);
   throwIfInterrupted();
 
-  Evaluator::Watch watch;
-  watch.cancelled = interrupted;
-  watch.progress = [](std::size_t, const std::string& stage, double share) { showProgress(share, stage); };
-  std::vector<Outcome> outcomes;
-  begin = Clock::now();
-  evaluator.run(session, watch, outcomes);
-  report.runMilliseconds = since(begin);
-  clearProgress();
-  throwIfInterrupted();
-  for (const oversketch::Message& remark : outcomes[0].remarks)
+  const Outcome outcome = outcomesOf(evaluator, session)[0];
+  report.ends("run");
+  for (const oversketch::Message& remark : outcome.remarks)
   {
     warn(inOptions(remark, *options.system));
   }
-  if (!outcomes[0].failure.empty())
+  if (!outcome.failure.empty())
   {
-    throw Failed(inOptions(outcomes[0].failure, *options.system));
+    throw Failed(inOptions(outcome.failure, *options.system));
   }
-  tellOfResult(options, session.mesh.Get(), outcomes[0]);
+  if (session.mesh && isSameMesh(session.mesh, outcome.mesh)) // so that nothing is left as it was in silence
+  {
+    warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
+         " --help lists what moves it");
+  }
 
-  begin = Clock::now();
   NewFiles files;
-  writeMesh(outcomes[0].mesh, options.output, notes, files);
-  report.writeMilliseconds = since(begin);
+  writeMesh(outcome.mesh, options.output, notes, files);
+  report.ends("write");
   if (!options.inner.empty())
   {
     writeInner(options, system, files);
@@ -424,11 +329,11 @@ void runSystem(const Options& options)
   if (!options.report.empty())
   {
     files.writeText(
-      options.report, report.json(options, *session.nodes[0].step, system, session.mesh, outcomes[0].mesh));
+      options.report, report.json(options, *session.nodes[0].step, system, session.mesh, outcome.mesh));
   }
   if (!options.picture.empty())
   {
-    writePicture(system, strokesOf(options, *session.nodes[0].step), options.picture, files);
+    writePicture(*options.system, system, strokesOf(options, *session.nodes[0].step), options.picture, files);
   }
   throwIfInterrupted();
   files.commit();

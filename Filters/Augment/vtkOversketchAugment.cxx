@@ -2,10 +2,7 @@
 
 #include "vtkOversketchAugmentPipeline.h"
 
-#include "vtkAlgorithmOutput.h"
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -61,13 +58,7 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
 
 bool vtkOversketchAugment::Prepare()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return false;
-  }
-  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
-  source->GetProducer()->Update(source->GetIndex());
-  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
   if (!mesh || mesh->GetNumberOfPoints() == 0)
   {
     return false;
@@ -143,16 +134,6 @@ bool vtkOversketchAugment::Reshape(double height, double sharpness, vtkPoints* p
     });
 }
 
-double vtkOversketchAugment::GetFigure(const char* name)
-{
-  return this->Inner->FigureOf(name ? name : "");
-}
-
-int vtkOversketchAugment::GetFlippedFaces()
-{
-  return this->Inner->Made ? this->Inner->Counted->FlippedFaces : 0;
-}
-
 void vtkOversketchAugment::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
@@ -166,33 +147,10 @@ void vtkOversketchAugment::GetRegion(vtkPolyData* region)
 {
   region->Initialize();
   vtkPolyData* mesh = this->Inner->Made ? this->Inner->Made->Last.Get() : nullptr;
-  vtkDataArray* feature = mesh ? mesh->GetPointData()->GetArray("Feature") : nullptr;
-  if (!feature)
+  if (vtkDataArray* feature = mesh ? mesh->GetPointData()->GetArray("Feature") : nullptr)
   {
-    return;
+    PutTriangles(mesh, LabelsOf(feature), 1, region);
   }
-  std::vector<vtkIdType> number(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (std::any_of(
-          ids->begin(), ids->end(), [feature](vtkIdType id) { return feature->GetComponent(id, 0) != 0.0; }))
-    {
-      triangles->InsertNextCell(3);
-      for (const vtkIdType point : *ids)
-      {
-        vtkIdType& id = number[point];
-        id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(point));
-        triangles->InsertCellPoint(id);
-      }
-    }
-  }
-  region->SetPoints(points);
-  region->SetPolys(triangles);
 }
 
 void vtkOversketchAugment::BackendChanged()
@@ -258,5 +216,4 @@ void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OneByOne: " << this->OneByOne << "\n";
   os << indent << "Simplify: " << this->Simplify << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
-  os << indent << "FlippedFaces: " << this->GetFlippedFaces() << "\n";
 }

@@ -193,13 +193,12 @@ public:
   ///@}
 
   /**
-   * Faces that the last run turned by over 90 degrees; 0 after one that failed. And what was counted over all
-   * strokes, by name: Crossings, Residual, RefusedMoves ({Smooth}'s too), FacesAdded of {Snap}, FlippedFaces,
-   * IntersectingFaces, CrestMean, CrestMinimum of {Displace}, LongestSegment of
-   * curves [model length], SmallestAngle of the output [degrees]; NaN where there is none.
+   * Of {Base} base.pairs and base.unpaired; over all strokes met.crossings, met.residual, met.refused_moves
+   * ({Smooth}'s too), met.faces_added of {Snap}, met.flipped_faces (by over 90 degrees),
+   * met.self_intersecting_faces, met.crest_mean, met.crest_minimum of {Displace}, met.longest_curve_segment
+   * [model length], met.smallest_angle of the output [degrees].
    */
-  int GetFlippedFaces();
-  double GetFigure(const char* name);
+  FigureList Figures() override;
 
   bool Prepare() override; // the 4-8 mesh and, in surface mode, what rays need
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override; // curves

@@ -1,23 +1,18 @@
 // What the steps of vtkOversketchAugment count, over all its strokes.
 #include "vtkOversketchAugmentPipeline.h"
-#include "vtkOversketchStellarCurves.h"
 
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
+#include "Mesh/shape.h"
+#include "vtkOversketchSharedMesh.h"
+#include "vtkOversketchStellarCurves.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <string>
 #include <vector>
 
 using namespace oversketch;
 
 namespace
 {
-
-const double none = std::numeric_limits<double>::quiet_NaN();
 
 double LongestSegment(vtkPolyData* curves)
 {
@@ -35,24 +30,14 @@ double LongestSegment(vtkPolyData* curves)
 // In degrees; 0 where a triangle has no area.
 double SmallestAngle(vtkPolyData* mesh)
 {
-  double largest = -1.0; // the cosine
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
+  const auto data = SharedMesh(mesh);
+  const std::vector<Vector3>& points = data->Surface().points;
+  double least = 1.0; // the sine squared
+  for (const Triangle& t : data->Surface().triangles)
   {
-    mesh->GetPolys()->GetCellAtId(f, ids);
-    Vector3 p[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      mesh->GetPoint(ids->GetId(k), p[k].data());
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 x = p[(k + 1) % 3] - p[k], y = p[(k + 2) % 3] - p[k];
-      const double lengths = x.norm() * y.norm();
-      largest = std::max(largest, lengths > 0.0 ? x.dot(y) / lengths : 1.0);
-    }
+    least = std::min(least, narrowness(points[t[0]], points[t[1]], points[t[2]]));
   }
-  return std::acos(std::min(largest, 1.0)) * 180.0 / std::acos(-1.0);
+  return std::asin(std::sqrt(least)) * 180.0 / std::acos(-1.0);
 }
 
 } // namespace
@@ -80,28 +65,26 @@ void vtkOversketchAugment::Pipeline::AddFigures()
     std::max(sum.LongestSegment, ::LongestSegment(this->Self->StageOutput(this->CurvesName())));
 }
 
-double vtkOversketchAugment::Pipeline::FigureOf(const std::string& name) const
+vtkOversketchSystem::FigureList vtkOversketchAugment::Figures()
 {
-  if (!this->Counted || !this->Made)
+  const Pipeline& inner = *this->Inner;
+  if (!inner.Counted || !inner.Made)
   {
-    return none;
+    return {};
   }
-  const vtkOversketchAugmentFigures& sum = *this->Counted;
-  if (name == "SmallestAngle")
-  {
-    return ::SmallestAngle(this->Made->Last);
-  }
-  const std::map<std::string, double> figures{ { "Crossings", sum.Crossings },
-    { "Residual", sum.Residual },
-    { "RefusedMoves", sum.RefusedMoves },
-    { "FacesAdded", sum.FacesAdded },
-    { "FlippedFaces", sum.FlippedFaces },
-    { "IntersectingFaces", sum.IntersectingFaces < 0 ? none : sum.IntersectingFaces },
-    { "CrestMean", sum.CrestPlaces ? sum.CrestSum / sum.CrestPlaces : none },
-    { "CrestMinimum", sum.CrestPlaces ? sum.CrestMinimum : none },
-    { "LongestSegment", sum.LongestSegment } };
-  const auto found = figures.find(name);
-  return found == figures.end() ? none : found->second;
+  const vtkOversketchAugmentFigures& sum = *inner.Counted;
+  return { { "base.pairs", inner.Base->GetPairs() },
+    { "base.unpaired", inner.Base->GetUnpaired() },
+    { "met.crossings", sum.Crossings },
+    { "met.residual", sum.Residual },
+    { "met.refused_moves", sum.RefusedMoves },
+    { "met.faces_added", sum.FacesAdded },
+    { "met.flipped_faces", sum.FlippedFaces },
+    { "met.self_intersecting_faces", sum.IntersectingFaces < 0 ? std::nan("") : sum.IntersectingFaces },
+    { "met.crest_mean", sum.CrestPlaces ? sum.CrestSum / sum.CrestPlaces : std::nan("") },
+    { "met.crest_minimum", sum.CrestPlaces ? sum.CrestMinimum : std::nan("") },
+    { "met.longest_curve_segment", sum.LongestSegment },
+    { "met.smallest_angle", ::SmallestAngle(inner.Made->Last) } };
 }
 
 Message vtkOversketchAugment::Pipeline::Remark() const

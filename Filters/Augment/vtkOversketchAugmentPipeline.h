@@ -82,9 +82,8 @@ struct vtkOversketchAugment::Pipeline
   const char* DrawnName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
   const char* CurvesName() const { return this->ReadsSource() ? "CurvesOnSource" : this->DrawnName(); }
   const char* LastName() const { return this->Self->Simplify ? "Simplify" : "Displace"; }
-  // What the steps count, after a pass; see vtkOversketchAugment::GetFigure.
+  // What the steps count, after a pass; see vtkOversketchAugment::Figures.
   void AddFigures();
-  double FigureOf(const std::string& name) const;
   // What of them is not as it should be; empty: nothing, or the run failed.
   oversketch::Message Remark() const;
 

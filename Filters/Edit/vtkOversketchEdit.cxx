@@ -139,24 +139,18 @@ int vtkOversketchEdit::GetMovedPoints()
   return this->Inner->Made ? this->Inner->Made->MovedPoints : 0;
 }
 
-int vtkOversketchEdit::GetFoldedEdges()
+vtkOversketchSystem::FigureList vtkOversketchEdit::Figures()
 {
-  return this->Inner->Made ? this->Inner->Made->Figures.folds : 0;
-}
-
-int vtkOversketchEdit::GetCrossings()
-{
-  return this->Inner->Made ? this->Inner->Made->Figures.crossings : 0;
-}
-
-double vtkOversketchEdit::GetShareSeen()
-{
-  return this->Inner->Made ? this->Inner->Made->Figures.shareSeen : 0.0;
-}
-
-int vtkOversketchEdit::GetBridges()
-{
-  return this->Inner->Made ? this->Inner->Made->Bridges : 0;
+  if (!this->Inner->Made)
+  {
+    return {};
+  }
+  const EditFigures& figures = this->Inner->Made->Figures;
+  return { { "edit.bridges", this->Inner->Made->Bridges },
+    { "edit.moved_points", this->Inner->Made->MovedPoints },
+    { "edit.folded_edges", figures.folds },
+    { "edit.crossings", figures.crossings },
+    { "edit.share_seen", figures.shareSeen } };
 }
 
 void vtkOversketchEdit::GetHold(vtkPolyData* hold)
@@ -173,7 +167,7 @@ void vtkOversketchEdit::GetRegion(vtkPolyData* region)
   region->Initialize();
   if (this->Inner->Made)
   {
-    this->Inner->PutRegion(region);
+    PutTriangles(this->Inner->Made->Output, this->Inner->Made->Moved, 1, region);
   }
 }
 
@@ -210,8 +204,4 @@ void vtkOversketchEdit::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Rule: " << this->Rule << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
   os << indent << "MovedPoints: " << this->GetMovedPoints() << "\n";
-  os << indent << "FoldedEdges: " << this->GetFoldedEdges() << "\n";
-  os << indent << "Crossings: " << this->GetCrossings() << "\n";
-  os << indent << "ShareSeen: " << this->GetShareSeen() << "\n";
-  os << indent << "Bridges: " << this->GetBridges() << "\n";
 }

@@ -179,20 +179,19 @@ public:
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
-  ///@{
   /**
-   * Of the last run, 0 after one that failed: vertices that the edit moved, before new triangles were made;
-   * edges of what comes out that are folded by over 120 degrees, and pairs of its triangles that pass through
-   * each other, both less those that were; gaps that curves were led over; what part of the ring lies where
-   * it was drawn, 1 of one that an earlier edit made or that was redrawn.
+   * Vertices that the edit moved, before new triangles were made; 0 after a run that failed.
    */
   int GetMovedPoints();
-  int GetFoldedEdges();
-  int GetCrossings();
-  int GetBridges();
-  double GetShareSeen();
-  // of these, but points and gaps; of a profile that comes out at the back
-  ///@}
+
+  /**
+   * That as edit.moved_points; edit.folded_edges of what comes out, by over 120 degrees, and edit.crossings,
+   * pairs of its triangles that pass through each other, both less those that were; edit.bridges, gaps that
+   * curves were led over; edit.share_seen, what part of the ring lies where it was drawn, 1 of one that an
+   * earlier edit made or that was redrawn. GetRemark is of these, but points and gaps, and of a profile that
+   * comes out at the back.
+   */
+  FigureList Figures() override;
 
   /**
    * All that comes before the deformation, for the inputs that there are: of a mesh alone little, of mesh and

@@ -195,31 +195,3 @@ void vtkOversketchEdit::Pipeline::PutOutput(vtkPolyData* mesh,
   made->Output->ShallowCopy(output);
   this->Made = std::move(made);
 }
-
-void vtkOversketchEdit::Pipeline::PutRegion(vtkPolyData* region)
-{
-  vtkPolyData* mesh = this->Made->Output;
-  std::vector<vtkIdType> number(this->Made->Moved.size(), -1);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (std::any_of(ids->begin(),
-          ids->end(),
-          [this](vtkIdType id) { return this->Made->Moved[static_cast<std::size_t>(id)] != 0; }))
-    {
-      triangles->InsertNextCell(3);
-      for (const vtkIdType point : *ids)
-      {
-        vtkIdType& id = number[static_cast<std::size_t>(point)];
-        id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(point));
-        triangles->InsertCellPoint(id);
-      }
-    }
-  }
-  region->SetPoints(points);
-  region->SetPolys(triangles);
-}

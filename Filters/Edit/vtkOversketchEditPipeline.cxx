@@ -174,12 +174,7 @@ bool vtkOversketchEdit::Pipeline::Outside(const std::function<bool(const Inputs&
   vtkDataObject* data[7] = {};
   for (int port = 0; port < 7; ++port)
   {
-    if (this->Self->GetNumberOfInputConnections(port) > 0)
-    {
-      vtkAlgorithmOutput* source = this->Self->GetInputConnection(port, 0);
-      source->GetProducer()->Update(source->GetIndex());
-      data[port] = this->Self->GetInputDataObject(port, 0);
-    }
+    data[port] = this->Self->UpdatedInput(port);
   }
   const auto lines = [&data](int port) { return vtkPolyData::SafeDownCast(data[port]); };
   const Inputs inputs{

@@ -82,7 +82,6 @@ struct vtkOversketchEdit::Pipeline
   bool Show(const std::string& operations, vtkPolyData* edited); // as PreviewEdit
   void PutPreview(vtkPolyData* edited);
   void PutOutput(vtkPolyData* mesh, vtkPolyData* output, vtkPolyData* reference, vtkPolyData* boundary);
-  void PutRegion(vtkPolyData* region);
 
   bool HasProfile() const { return this->ProfileInput->GetNumberOfPoints() > 0; }
   const char* DeformName() const { return this->HasProfile() ? "Bend" : "Deform"; }

@@ -368,6 +368,22 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
     });
 }
 
+vtkOversketchSystem::FigureList vtkOversketchInflateDrawing::Figures()
+{
+  if (this->GetOutput()->GetNumberOfPolys() == 0)
+  {
+    return {};
+  }
+  const char* const words[] = { "rejected", "unknown", "boundary", "closed feature", "open feature" };
+  vtkDataArray* roles = this->StageOutput("Treatment")->GetCellData()->GetArray("Role");
+  std::vector<std::string> strokes;
+  for (vtkIdType i = 0; roles && i < roles->GetNumberOfTuples(); ++i)
+  {
+    strokes.emplace_back(words[std::clamp(static_cast<int>(roles->GetComponent(i, 0)), -1, 3) + 1]);
+  }
+  return { { "strokes", strokes }, { "rebuilds", this->Rebuilds }, { "levels", this->LevelsMade } };
+}
+
 void vtkOversketchInflateDrawing::SetExtrudeDepth(double depth)
 {
   depth = std::max(depth, 0.0);

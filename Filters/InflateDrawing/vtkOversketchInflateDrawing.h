@@ -161,6 +161,11 @@ public:
    */
   vtkGetMacro(LevelsMade, int);
 
+  /**
+   * What each stroke was taken for, strokes, as words; and the two above, rebuilds and levels.
+   */
+  FigureList Figures() override;
+
 protected:
   vtkOversketchInflateDrawing();
   ~vtkOversketchInflateDrawing() override;

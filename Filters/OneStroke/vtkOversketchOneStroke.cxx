@@ -2,9 +2,6 @@
 
 #include "vtkOversketchOneStrokePipeline.h"
 
-#include "vtkAlgorithmOutput.h"
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -68,13 +65,7 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
 
 bool vtkOversketchOneStroke::Prepare()
 {
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    return false;
-  }
-  vtkAlgorithmOutput* source = this->GetInputConnection(0, 0);
-  source->GetProducer()->Update(source->GetIndex());
-  auto* mesh = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
   if (!mesh || mesh->GetNumberOfPoints() == 0)
   {
     return false;
@@ -142,34 +133,11 @@ bool vtkOversketchOneStroke::Drag(const double translation[3], vtkPoints* points
 void vtkOversketchOneStroke::GetRegion(vtkPolyData* region)
 {
   region->Initialize();
-  if (!this->Inner->Following)
+  if (this->Inner->Following)
   {
-    return;
+    vtkPolyData* mesh = this->StageOutput(this->Remeshed ? "Restore" : this->Inner->Deformation);
+    PutTriangles(mesh, LabelsOf(mesh->GetPointData()->GetArray("Region")), 3, region);
   }
-  vtkPolyData* mesh = this->StageOutput(this->Remeshed ? "Restore" : this->Inner->Deformation);
-  const std::vector<char> inside = LabelsOf(mesh->GetPointData()->GetArray("Region"));
-  std::vector<vtkIdType> number(inside.size(), -1);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
-  {
-    mesh->GetPolys()->GetCellAtId(t, ids);
-    if (!inside[ids->GetId(0)] || !inside[ids->GetId(1)] || !inside[ids->GetId(2)])
-    {
-      continue;
-    }
-    triangles->InsertNextCell(3);
-    for (vtkIdType k = 0; k < 3; ++k)
-    {
-      vtkIdType& id = number[ids->GetId(k)];
-      id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(ids->GetId(k)));
-      triangles->InsertCellPoint(id);
-    }
-  }
-  region->SetPoints(points);
-  region->SetPolys(triangles);
 }
 
 void vtkOversketchOneStroke::ReleaseWork()
@@ -232,64 +200,48 @@ int vtkOversketchOneStroke::GetNumberOfCandidates() const
   return this->Inner->Match->GetNumberOfCandidates();
 }
 
-double vtkOversketchOneStroke::GetOutlineDistance() const
+vtkOversketchSystem::FigureList vtkOversketchOneStroke::Figures()
 {
-  return this->Inner->Effect.outline.mean;
-}
-
-double vtkOversketchOneStroke::GetWorstOutlineDistance() const
-{
-  return this->Inner->Effect.outline.worst;
-}
-
-double vtkOversketchOneStroke::GetOutlineBackDistance() const
-{
-  return this->Inner->Effect.outlineBack;
-}
-
-int vtkOversketchOneStroke::GetNewFolds() const
-{
-  return this->Inner->Effect.folds;
-}
-
-double vtkOversketchOneStroke::GetInsideOut() const
-{
-  return this->Inner->Effect.back;
-}
-
-int vtkOversketchOneStroke::GetNewCrossings() const
-{
-  return this->Inner->Effect.crossings;
-}
-
-double vtkOversketchOneStroke::GetStretch() const
-{
-  return this->Inner->Effect.stretch;
-}
-
-double vtkOversketchOneStroke::GetRoughnessBefore() const
-{
-  return this->Inner->Effect.before.meanAngle;
-}
-
-double vtkOversketchOneStroke::GetRoughness() const
-{
-  return this->Inner->Effect.after.meanAngle;
-}
-
-double vtkOversketchOneStroke::GetMovedShare() const
-{
-  return this->Inner->Effect.movedShare;
-}
-
-double vtkOversketchOneStroke::GetStrayDistance() const
-{
-  return this->Inner->Effect.strayDistance;
-}
-
-double vtkOversketchOneStroke::GetStrayMovement() const
-{
-  return this->Inner->Effect.strayMovement;
+  Pipeline& inner = *this->Inner;
+  if (!inner.Following)
+  {
+    return {};
+  }
+  const std::vector<char> region = inner.RegionOf("RegionBorder");
+  const auto data = SharedMesh(this->StageOutput("RegionBorder"));
+  const oversketch::Mesh& mesh = data->Surface();
+  double inside = 0.0, all = 0.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    const Vector3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+    const double area = 0.5 * (b - a).cross(c - a).norm();
+    all += area;
+    inside += region[t[0]] && region[t[1]] && region[t[2]] ? area : 0.0;
+  }
+  auto* deform = vtkOversketchLaplacianDeform::SafeDownCast(this->GetStep(inner.Deformation));
+  const StrokeEffect& effect = inner.Effect;
+  return { { "remeshed", this->Remeshed },
+    { "match.points", this->StageOutput("Match")->GetNumberOfPoints() },
+    { "targets.handles", this->StageOutput("Targets")->GetNumberOfPoints() },
+    { "region.vertices", std::count_if(region.begin(), region.end(), [](char in) { return in != 0; }) },
+    { "region.of_vertices", mesh.vertexCount() },
+    { "region.area_share", inside / all },
+    { "effect.outline_px", effect.outline.mean },
+    { "effect.worst_outline_px", effect.outline.worst },
+    { "effect.outline_back_px", effect.outlineBack },
+    { "effect.new_folds", effect.folds },
+    { "effect.inside_out", effect.back },
+    { "effect.new_crossings", effect.crossings },
+    { "effect.stretch", effect.stretch },
+    { "effect.roughness_before", effect.before.meanAngle },
+    { "effect.roughness", effect.after.meanAngle },
+    { "effect.moved_share", effect.movedShare },
+    { "effect.stray_distance_px", effect.strayDistance },
+    { "effect.stray_movement_px", effect.strayMovement },
+    { "deformation.movable_vertices", deform->GetMovableCount() },
+    { "deformation.active_handles", deform->GetActiveHandleCount() },
+    { "deformation.mean_handle_residual", deform->GetMeanHandleResidual() },
+    { "deformation.maximum_handle_residual", deform->GetMaximumHandleResidual() } };
 }
 
 vtkPolyData* vtkOversketchOneStroke::GetInnerOutput(const char* name)

@@ -163,29 +163,21 @@ public:
   vtkBooleanMacro(AllowTorn, bool);
   ///@}
 
-  ///@{
   /**
-   * What the last result is like: mean and worst distance of the stroke's middle 60 % to the outline, and the
-   * mean distance of the outline between its ends back to it [px]; folded edges that are new; share of what
-   * is seen of the mesh that newly shows its back [0 to 1]; pairs of triangles that newly pass through each
-   * other; by how much 99 of 100 edges of what moved are stretched or squeezed at most; mean angle between
-   * triangles of what moved, before and after [degrees]; share of the surface that moved [0 to 1]; how far
-   * beside the stroke and its section something moved [px, 0: nothing beyond 25 px], and by how much at most
-   * [px]. Zero after a run that failed, where stretch is 1.
+   * What the last result is like: effect.outline_px and effect.worst_outline_px, mean and worst distance of
+   * the stroke's middle 60 % to the outline, and effect.outline_back_px, of the outline between its ends back
+   * to it; effect.new_folds, edges; effect.inside_out, share of what is seen of the mesh that newly shows its
+   * back [0 to 1]; effect.new_crossings, pairs of triangles that newly pass through each other;
+   * effect.stretch, by how much 99 of 100 edges of what moved are stretched or squeezed at most;
+   * effect.roughness_before and effect.roughness, mean angle between triangles of what moved [degrees];
+   * effect.moved_share of the surface [0 to 1]; effect.stray_distance_px, how far beside the stroke and its
+   * section something moved (0: nothing beyond 25 px), and effect.stray_movement_px, by how much at most.
+   *
+   * And of the steps: remeshed; match.points; targets.handles; region.vertices, region.of_vertices and
+   * region.area_share, of triangles wholly in it; deformation.movable_vertices, deformation.active_handles,
+   * deformation.mean_handle_residual and deformation.maximum_handle_residual [model length].
    */
-  double GetOutlineDistance() const;
-  double GetWorstOutlineDistance() const;
-  double GetOutlineBackDistance() const;
-  int GetNewFolds() const;
-  double GetInsideOut() const;
-  int GetNewCrossings() const;
-  double GetStretch() const;
-  double GetRoughnessBefore() const;
-  double GetRoughness() const;
-  double GetMovedShare() const;
-  double GetStrayDistance() const;
-  double GetStrayMovement() const;
-  ///@}
+  FigureList Figures() override;
 
   ///@{
   /**

@@ -3,12 +3,18 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchStepRunner.h"
 
+#include "vtkAlgorithmOutput.h"
+#include "vtkCellArray.h"
 #include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <type_traits>
 
 using namespace oversketch;
 
@@ -35,6 +41,27 @@ void vtkOversketchSystem::GetRegion(vtkPolyData* region)
 bool vtkOversketchSystem::Drag(const double*, vtkPoints*)
 {
   return false;
+}
+
+double vtkOversketchSystem::GetFigure(const char* name)
+{
+  double number = std::nan("");
+  for (const auto& [known, figure] : this->Figures())
+  {
+    if (name && known == name)
+    {
+      std::visit(
+        [&number](const auto& value)
+        {
+          if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+          {
+            number = static_cast<double>(value);
+          }
+        },
+        figure);
+    }
+  }
+  return number;
 }
 
 void vtkOversketchSystem::AddStage(const char* name, vtkAlgorithm* step, double share, Listed listed)
@@ -101,6 +128,46 @@ vtkPolyData* vtkOversketchSystem::StageOutput(const char* name)
 {
   vtkAlgorithm* step = this->GetStep(name);
   return step ? vtkPolyData::SafeDownCast(step->GetOutputDataObject(0)) : nullptr;
+}
+
+vtkDataObject* vtkOversketchSystem::UpdatedInput(int port)
+{
+  if (this->GetNumberOfInputConnections(port) == 0)
+  {
+    return nullptr;
+  }
+  vtkAlgorithmOutput* source = this->GetInputConnection(port, 0);
+  source->GetProducer()->Update(source->GetIndex());
+  return this->GetInputDataObject(port, 0);
+}
+
+void vtkOversketchSystem::PutTriangles(vtkPolyData* mesh,
+  const std::vector<char>& chosen,
+  int corners,
+  vtkPolyData* region)
+{
+  std::vector<vtkIdType> number(chosen.size(), -1);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> triangles;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType t = 0; t < mesh->GetNumberOfPolys(); ++t)
+  {
+    mesh->GetPolys()->GetCellAtId(t, ids);
+    const auto isChosen = [&chosen](vtkIdType id) { return chosen[static_cast<std::size_t>(id)] != 0; };
+    if (std::count_if(ids->begin(), ids->end(), isChosen) >= corners)
+    {
+      triangles->InsertNextCell(3);
+      for (const vtkIdType point : *ids)
+      {
+        vtkIdType& id = number[static_cast<std::size_t>(point)];
+        id = id >= 0 ? id : points->InsertNextPoint(mesh->GetPoint(point));
+        triangles->InsertCellPoint(id);
+      }
+    }
+  }
+  region->SetPoints(points);
+  region->SetPolys(triangles);
 }
 
 double vtkOversketchSystem::GetStageTime(const char* name) const

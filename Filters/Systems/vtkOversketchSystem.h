@@ -6,8 +6,8 @@
  * of what they made. This base knows no step. It runs them, hears their errors and warnings, adds up their
  * progress, passes a cancel in, takes their times and finds their outputs.
  *
- * Before, during and after a run a host may ask for more: Prepare, Preview, GetHold, GetRegion, Drag. A
- * system that has nothing to say to one of them leaves it as it is here.
+ * Before, during and after a run a host may ask for more: Prepare, Preview, GetHold, GetRegion, Figures,
+ * Drag. A system that has nothing to say to one of them leaves it as it is here.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
  * failure; output empty. After AbortExecute the output is empty and the error code Cancelled; call Modified()
@@ -26,6 +26,8 @@
 #include <functional> // for RunSystem
 #include <set>        // for Warnings
 #include <string>     // for Stage
+#include <utility>    // for FigureList
+#include <variant>    // for Figure
 #include <vector>     // for Stages
 
 class vtkPoints;
@@ -74,6 +76,18 @@ public:
    */
   const char* GetRemark() { return this->RemarkText.c_str(); }
   const oversketch::Message& RemarkMessage() const { return this->Remark; }
+
+  ///@{
+  /**
+   * What the system counted and measured of its last run, by names with dots where several belong together
+   * ("match.points"): a switch, a count, a number (NaN where there is none), or a list of words. Empty after
+   * a run that failed. GetFigure gives one of them as a number, NaN where it is none or absent.
+   */
+  using Figure = std::variant<bool, vtkIdType, double, std::vector<std::string>>;
+  using FigureList = std::vector<std::pair<std::string, Figure>>;
+  virtual FigureList Figures() { return {}; }
+  double GetFigure(const char* name);
+  ///@}
 
   /**
    * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
@@ -151,6 +165,13 @@ protected:
   void RunStage(const char* name, const std::function<void()>& work = nullptr);
   // The output of a step by its own name.
   vtkPolyData* StageOutput(const char* name);
+  // What an input port is given, brought up to date outside a run; null where that is nothing.
+  vtkDataObject* UpdatedInput(int port);
+  // The triangles of a mesh that have so many chosen corners at least, as GetRegion gives them.
+  static void PutTriangles(vtkPolyData* mesh,
+    const std::vector<char>& chosen,
+    int corners,
+    vtkPolyData* region);
   // The share of the run that is done [0 to 1].
   double GetDone() const { return this->Done; }
 

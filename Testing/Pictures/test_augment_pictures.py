@@ -36,7 +36,7 @@ def run(request):
     system.SetInputConnection(0, mesh.GetOutputPort())
     system.SetInputConnection(1, strokes.GetOutputPort())
     system.Update()
-    assert system.GetErrorCode() == 0 and system.GetFlippedFaces() == 0
+    assert system.GetErrorCode() == 0 and system.GetFigure("met.flipped_faces") == 0
     return model, system, scenes.View(strokes.GetOutput(), which=SHOWN[request.param]), (mesh, strokes)
 
 

@@ -53,7 +53,6 @@ def test_a_picture_becomes_a_textured_model(tmp_path):
            "Tunnel", "ProjectTexture"}
     assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Arrange", "QuadMerge", "Extrude"}
     assert sum(steps.values()) <= report["milliseconds"]["run"]
-    assert 0 < report["smallest_angle"]["least"] <= report["smallest_angle"]["percentile_5"] < report["smallest_angle"]["median"] < 60
     assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
     assert done.stdout == ""
 

@@ -67,7 +67,7 @@ TEST(Augment, AVeinRisesByItsHeightAndNothingElseMoves)
     const double radius = 0.03 * s.diagonal();
     vtkPolyData* output = s.run();
     ASSERT_GT(output->GetNumberOfPolys(), s.mesh->GetNumberOfPolys()) << model;
-    EXPECT_EQ(s.filter->GetFlippedFaces(), 0) << model;
+    EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0) << model;
     EXPECT_NEAR(highest(output), 0.5 * radius, 1e-9 * radius) << model;
     vtkPolyData* curves = s.filter->GetInnerOutput("Curves");
     ASSERT_GT(curves->GetNumberOfLines(), 0);
@@ -204,7 +204,7 @@ TEST(Augment, AsPublishedIsEachStepAsPublished)
     }
     simplify->Update();
     expectSame(simplify->GetOutput(), s.run());
-    EXPECT_EQ(displace->GetFlippedFaces(), s.filter->GetFlippedFaces());
+    EXPECT_EQ(displace->GetFlippedFaces(), s.filter->GetFigure("met.flipped_faces"));
   }
 }
 
@@ -213,7 +213,7 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
 {
   const std::vector<std::vector<Vector2>> drawn{ vein(), vein(80, 4), { { 400, 280 }, { 400, 320 } } };
   System s(shippedModel("bear"), drawn);
-  EXPECT_TRUE(std::isnan(s.filter->GetFigure("Crossings")));
+  EXPECT_TRUE(std::isnan(s.filter->GetFigure("met.crossings")));
   std::map<std::string, double> sums;
   double least = HUGE_VAL, longest = 0.0;
   vtkSmartPointer<vtkPolyData> mesh = s.mesh;
@@ -226,18 +226,22 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
     mesh = deepCopy(one.run());
     auto* snap = vtkOversketchStellarSnap::SafeDownCast(one.filter->GetStep("Snap"));
     auto* smooth = vtkOversketchStellarSmooth::SafeDownCast(one.filter->GetStep("Smooth"));
-    EXPECT_EQ(one.filter->GetFigure("Crossings"), snap->GetCrossings());
-    EXPECT_EQ(one.filter->GetFigure("Residual"), snap->GetResidual());
-    EXPECT_EQ(one.filter->GetFigure("RefusedMoves"), snap->GetRefused() + smooth->GetRefused());
-    for (const char* name :
-      { "Crossings", "Residual", "RefusedMoves", "FacesAdded", "FlippedFaces", "IntersectingFaces" })
+    EXPECT_EQ(one.filter->GetFigure("met.crossings"), snap->GetCrossings());
+    EXPECT_EQ(one.filter->GetFigure("met.residual"), snap->GetResidual());
+    EXPECT_EQ(one.filter->GetFigure("met.refused_moves"), snap->GetRefused() + smooth->GetRefused());
+    for (const char* name : { "met.crossings",
+           "met.residual",
+           "met.refused_moves",
+           "met.faces_added",
+           "met.flipped_faces",
+           "met.self_intersecting_faces" })
     {
       sums[name] += one.filter->GetFigure(name);
     }
-    least = std::min(least, one.filter->GetFigure("CrestMinimum"));
-    longest = std::max(longest, one.filter->GetFigure("LongestSegment"));
-    EXPECT_GT(one.filter->GetFigure("CrestMean"), 0.9); // on the flank of the one before
-    EXPECT_LE(one.filter->GetFigure("CrestMean"), 1.0 + 1e-12);
+    least = std::min(least, one.filter->GetFigure("met.crest_minimum"));
+    longest = std::max(longest, one.filter->GetFigure("met.longest_curve_segment"));
+    EXPECT_GT(one.filter->GetFigure("met.crest_mean"), 0.9); // on the flank of the one before
+    EXPECT_LE(one.filter->GetFigure("met.crest_mean"), 1.0 + 1e-12);
   }
   s.filter->OneByOneOn();
   std::vector<double> progress;
@@ -251,11 +255,11 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
   {
     EXPECT_EQ(s.filter->GetFigure(name.c_str()), sum) << name;
   }
-  EXPECT_EQ(s.filter->GetFigure("CrestMinimum"), least);
-  EXPECT_EQ(s.filter->GetFigure("LongestSegment"), longest);
+  EXPECT_EQ(s.filter->GetFigure("met.crest_minimum"), least);
+  EXPECT_EQ(s.filter->GetFigure("met.longest_curve_segment"), longest);
   EXPECT_LT(longest, 0.5 * 0.03 * s.diagonal());
-  EXPECT_GT(s.filter->GetFigure("SmallestAngle"), 0.0);
-  EXPECT_LT(s.filter->GetFigure("SmallestAngle"), 60.0);
+  EXPECT_GT(s.filter->GetFigure("met.smallest_angle"), 0.0);
+  EXPECT_LT(s.filter->GetFigure("met.smallest_angle"), 60.0);
   EXPECT_TRUE(std::isnan(s.filter->GetFigure("Cats")));
   ASSERT_FALSE(progress.empty());
   EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
@@ -267,7 +271,7 @@ TEST(Augment, FiguresTimesAndProgressAreOfAllStrokes)
   s.filter->SetStrokesData(strokesOf({ { { 5, 5 }, { 40, 5 } } }, s.view));
   Ear ear(s.filter);
   s.filter->Update();
-  EXPECT_TRUE(std::isnan(s.filter->GetFigure("Crossings")));
+  EXPECT_TRUE(std::isnan(s.filter->GetFigure("met.crossings")));
 }
 
 TEST(Augment, ACoarseBaseIsRefinedWhereItIsDrawnAndFollowsTheMesh)
@@ -440,7 +444,7 @@ TEST(Augment, ASilhouetteGoesWhereItIsDrawn)
   s.filter->SetSketchMode(vtkOversketchAugment::Silhouette);
   s.filter->SetStrokesData(strokesOf({ overTheTop(s) }, s.view));
   vtkPolyData* output = s.run();
-  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0);
   vtkPolyData* sketch = vtkPolyData::SafeDownCast(s.filter->GetStep("Sketch")->GetOutputDataObject(1));
   ASSERT_GT(sketch->GetNumberOfPoints(), 2);
   for (vtkIdType i = 0; i < sketch->GetNumberOfPoints(); ++i)

@@ -115,10 +115,10 @@ TEST(AugmentSound, LinesOverLongThinTriangles)
     Ear ear(s.filter);
     vtkPolyData* output = s.run();
     EXPECT_GT(s.filter->GetInnerOutput("Even")->GetNumberOfPolys(), 0);
-    EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
-    EXPECT_EQ(s.filter->GetFigure("IntersectingFaces"), 0.0);
-    EXPECT_LE(s.filter->GetFigure("Residual"), 1.0 + 0.01 * s.filter->GetFigure("Crossings"));
-    EXPECT_GT(s.filter->GetFigure("CrestMinimum"), 0.95);
+    EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0);
+    EXPECT_EQ(s.filter->GetFigure("met.self_intersecting_faces"), 0.0);
+    EXPECT_LE(s.filter->GetFigure("met.residual"), 1.0 + 0.01 * s.filter->GetFigure("met.crossings"));
+    EXPECT_GT(s.filter->GetFigure("met.crest_minimum"), 0.95);
     EXPECT_TRUE(ear.warnings.empty()) << ear.warnings.front();
     EXPECT_EQ(cutting(output), 0u);
     // Another height finds the even mesh again.
@@ -152,7 +152,7 @@ TEST(AugmentSound, WhatGoesThroughItselfIsSaid)
   s.filter->AsPublishedOn();
   Ear ear(s.filter);
   s.run();
-  const auto cuts = static_cast<int>(s.filter->GetFigure("IntersectingFaces"));
+  const auto cuts = static_cast<int>(s.filter->GetFigure("met.self_intersecting_faces"));
   EXPECT_GT(cuts, 10);
   ASSERT_EQ(ear.warnings.size(), 1u);
   EXPECT_NE(
@@ -168,7 +168,7 @@ TEST(AugmentSound, AGrooveStopsBeforeTheOtherSide)
   s.filter->SetHeight(-0.6);
   Ear ear(s.filter);
   vtkPolyData* output = s.run();
-  EXPECT_EQ(s.filter->GetFigure("IntersectingFaces"), 0.0);
+  EXPECT_EQ(s.filter->GetFigure("met.self_intersecting_faces"), 0.0);
   EXPECT_EQ(cutting(output), 0u);
   EXPECT_NEAR(highestOf(output), 0.4 * 0.4, 0.01);
   ASSERT_EQ(ear.warnings.size(), 1u);
@@ -190,7 +190,7 @@ TEST(AugmentSound, ParallelLinesAreTheSameAtOnceAndOneByOne)
   }
   System s(shippedModel("bear"), drawn);
   const auto atOnce = deepCopy(s.run());
-  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0);
   s.filter->OneByOneOn();
   expectSame(atOnce, s.run());
   // One that crosses them is raised on what they have made.
@@ -218,8 +218,8 @@ TEST(AugmentSound, HatchingOneByOneCrossesItselfNowhere)
   s.filter->OneByOneOn();
   Ear ear(s.filter);
   s.run();
-  EXPECT_EQ(s.filter->GetFigure("IntersectingFaces"), 0.0);
-  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  EXPECT_EQ(s.filter->GetFigure("met.self_intersecting_faces"), 0.0);
+  EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0);
   EXPECT_TRUE(ear.warnings.empty()) << ear.warnings[0];
 }
 
@@ -300,7 +300,7 @@ TEST(AugmentSound, ADentIsMadeAsItIsDrawn)
   }
   s.filter->SetStrokesData(strokesOf({ stroke }, s.view));
   vtkPolyData* output = s.run();
-  EXPECT_EQ(s.filter->GetFlippedFaces(), 0);
+  EXPECT_EQ(s.filter->GetFigure("met.flipped_faces"), 0);
   EXPECT_EQ(cutting(output), 0u);
   EXPECT_NEAR(extentAt(output, s.view, 300.0, 2.0).second, right - deep, 3.0);
   EXPECT_NEAR(extentAt(output, s.view, 300.0).first, extentAt(s.mesh, s.view, 300.0).first, 2.0);

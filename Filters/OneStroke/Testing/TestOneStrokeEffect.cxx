@@ -97,15 +97,15 @@ TEST(OneStrokeEffect, AStrokeThatDoesWhatWasDrawnIsLeftWithoutAWord)
     ASSERT_EQ(good.filter->GetErrorCode(), 0u);
     EXPECT_STREQ(good.filter->GetRemark(), "") << name;
     EXPECT_TRUE(good.ear.warnings.empty()) << name;
-    EXPECT_LT(good.filter->GetOutlineDistance(), 1.0);
-    EXPECT_LT(good.filter->GetWorstOutlineDistance(), 3.0);
-    EXPECT_LT(good.filter->GetOutlineBackDistance(), 1.0);
-    EXPECT_GT(good.filter->GetStretch(), 1.0);
-    EXPECT_LT(good.filter->GetStretch(), 3.0);
-    EXPECT_GT(good.filter->GetMovedShare(), 0.02);
-    EXPECT_LT(good.filter->GetMovedShare(), 0.15);
-    EXPECT_GT(good.filter->GetRoughnessBefore(), 1.0);
-    EXPECT_EQ(good.filter->GetStrayDistance(), 0.0);
+    EXPECT_LT(good.filter->GetFigure("effect.outline_px"), 1.0);
+    EXPECT_LT(good.filter->GetFigure("effect.worst_outline_px"), 3.0);
+    EXPECT_LT(good.filter->GetFigure("effect.outline_back_px"), 1.0);
+    EXPECT_GT(good.filter->GetFigure("effect.stretch"), 1.0);
+    EXPECT_LT(good.filter->GetFigure("effect.stretch"), 3.0);
+    EXPECT_GT(good.filter->GetFigure("effect.moved_share"), 0.02);
+    EXPECT_LT(good.filter->GetFigure("effect.moved_share"), 0.15);
+    EXPECT_GT(good.filter->GetFigure("effect.roughness_before"), 1.0);
+    EXPECT_EQ(good.filter->GetFigure("effect.stray_distance_px"), 0.0);
   }
 }
 
@@ -142,8 +142,8 @@ TEST(OneStrokeEffect, ABackThatIsRaisedTakesNoLimbWithIt)
   dog.run();
   ASSERT_EQ(dog.filter->GetErrorCode(), 0u);
   EXPECT_STREQ(dog.filter->GetRemark(), "");
-  EXPECT_LT(dog.filter->GetOutlineDistance(), 3.0);
-  EXPECT_LT(dog.filter->GetMovedShare(), 0.2);
+  EXPECT_LT(dog.filter->GetFigure("effect.outline_px"), 3.0);
+  EXPECT_LT(dog.filter->GetFigure("effect.moved_share"), 0.2);
   int limbs = 0, back = 0;
   for (vtkIdType i = 0; i < dog.mesh->GetNumberOfPoints(); ++i)
   {
@@ -192,8 +192,8 @@ TEST(OneStrokeEffect, AStrokeClosedRoundALimbIsAsGoodAsTheOpenOne)
   closed.run();
   ASSERT_EQ(closed.filter->GetErrorCode(), 0u);
   EXPECT_STREQ(closed.filter->GetRemark(), "");
-  EXPECT_LT(closed.filter->GetOutlineDistance(), 1.0);
-  EXPECT_LT(closed.filter->GetMovedShare(), 0.15);
+  EXPECT_LT(closed.filter->GetFigure("effect.outline_px"), 1.0);
+  EXPECT_LT(closed.filter->GetFigure("effect.moved_share"), 0.15);
   closed.filter->AsPublishedOn();
   closed.run();
   EXPECT_TRUE(closed.failedBy(Failure::BadStroke));
@@ -220,7 +220,7 @@ TEST(OneStrokeEffect, OfALoopItIsSaidByHowMuchItIsMissed)
   Drawn loop(toStroke(samples, view));
   loop.run();
   ASSERT_EQ(loop.filter->GetErrorCode(), 0u);
-  EXPECT_LT(loop.filter->GetOutlineDistance(), 1.0);
+  EXPECT_LT(loop.filter->GetFigure("effect.outline_px"), 1.0);
   double missed = 0.0;
   ASSERT_EQ(std::sscanf(loop.filter->GetRemark(),
               "The result is not as drawn: the outline misses the stroke by %lf px at worst",
@@ -242,7 +242,7 @@ TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
     torn.run();
     EXPECT_TRUE(torn.failedBy(Failure::Torn));
     EXPECT_EQ(torn.filter->GetOutput()->GetNumberOfPoints(), 0);
-    EXPECT_EQ(torn.filter->GetStretch(), 1.0);
+    EXPECT_TRUE(std::isnan(torn.filter->GetFigure("effect.stretch")));
   }
   ASSERT_FALSE(torn.ear.errors.empty());
   EXPECT_NE(torn.ear.errors[0].find("turn AllowTorn on"), std::string::npos);
@@ -253,7 +253,7 @@ TEST(OneStrokeEffect, AResultThatTearsIsRefusedUnlessItIsAllowed)
   ASSERT_EQ(torn.filter->GetErrorCode(), 0u);
   EXPECT_TRUE(torn.ear.errors.empty());
   EXPECT_GT(torn.filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_GT(torn.filter->GetStretch(), 8.0);
+  EXPECT_GT(torn.filter->GetFigure("effect.stretch"), 8.0);
   ASSERT_EQ(torn.ear.warnings.size(), 1u);
   EXPECT_NE(torn.ear.warnings[0].find(torn.filter->GetRemark()), std::string::npos);
   EXPECT_NE(std::string(torn.filter->GetRemark()).find("stretched or squeezed"), std::string::npos);
@@ -283,7 +283,7 @@ TEST(OneStrokeEffect, TwoLegsUnderOneLineAreNotWelded)
   legs.filter->AllowTornOn();
   legs.run();
   EXPECT_EQ(legs.filter->GetErrorCode(), 0u);
-  EXPECT_GT(legs.filter->GetNewCrossings(), 10);
+  EXPECT_GT(legs.filter->GetFigure("effect.new_crossings"), 10);
 }
 
 // A limb that is drawn many times as long is stretched as often; its triangles are made anew, so nothing is
@@ -308,10 +308,10 @@ TEST(OneStrokeEffect, AnArmSeveralTimesAsLongIsNotTorn)
   arm.filter->SetInputData(0, arm.mesh);
   arm.run();
   ASSERT_EQ(arm.filter->GetErrorCode(), 0u);
-  EXPECT_GT(arm.filter->GetStretch(), 8.0);
+  EXPECT_GT(arm.filter->GetFigure("effect.stretch"), 8.0);
   EXPECT_TRUE(arm.filter->GetRemeshed());
   EXPECT_STREQ(arm.filter->GetRemark(), "");
-  EXPECT_LT(arm.filter->GetOutlineDistance(), 1.0);
+  EXPECT_LT(arm.filter->GetFigure("effect.outline_px"), 1.0);
 }
 
 // A tail whose sides cross where they were drawn: taken as the ends of the stroke lie, its left side would go
@@ -332,8 +332,8 @@ TEST(OneStrokeEffect, NoTailIsTurnedInsideOutForASideThatWasDrawnPastTheOther)
   Drawn tail(toStroke(crossed, oversketch::ViewOf(stroke)));
   tail.run();
   ASSERT_EQ(tail.filter->GetErrorCode(), 0u);
-  EXPECT_LE(tail.filter->GetInsideOut(), 0.002) << tail.filter->GetRemark();
-  EXPECT_LT(tail.filter->GetOutlineDistance(), 3.0);
+  EXPECT_LE(tail.filter->GetFigure("effect.inside_out"), 0.002) << tail.filter->GetRemark();
+  EXPECT_LT(tail.filter->GetFigure("effect.outline_px"), 3.0);
 }
 
 TEST(OneStrokeEffect, CandidatesAreDifferentSectionsAndABadNumberIsRefused)

@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace oversketch_test;
 using oversketch::Failure;
 
@@ -61,6 +63,13 @@ public:
   vtkTypeMacro(Twice, vtkOversketchSystem);
   vtkNew<Adder> first, second, again;
   int handed = -1;
+  FigureList Figures() override
+  {
+    return { { "first.ran", true },
+      { "first.runs", this->first->runs },
+      { "share", 0.25 },
+      { "words", std::vector<std::string>{ "one" } } };
+  }
 
 protected:
   Twice()
@@ -194,6 +203,18 @@ TEST_F(System, StopsInTheStepThatRuns)
   this->system->Modified();
   this->system->Update();
   EXPECT_EQ(this->system->GetOutput()->GetNumberOfPoints(), this->mesh->GetNumberOfPoints() + 3);
+}
+
+TEST_F(System, GivesItsFiguresAsNumbersByTheirNames)
+{
+  this->system->Update();
+  EXPECT_EQ(this->system->GetFigure("first.ran"), 1.0);
+  EXPECT_EQ(this->system->GetFigure("first.runs"), 1.0);
+  EXPECT_EQ(this->system->GetFigure("share"), 0.25);
+  for (const char* none : { "words", "first", "cats", static_cast<const char*>(nullptr) })
+  {
+    EXPECT_TRUE(std::isnan(this->system->GetFigure(none)));
+  }
 }
 
 TEST_F(System, HandsItsBackendOnAndSaysNoToWhatItHasNot)

@@ -51,7 +51,7 @@ def test_frames_of_a_line():
         assert compare.difference(ball.picture(), compare.read("augment_pen_down")) > 4 * compare.LIMIT
         crest.SetColor(*orange)
     ball.play("augment_up")
-    assert system.GetErrorCode() == 0 and system.GetFlippedFaces() == 0
+    assert system.GetErrorCode() == 0 and system.GetFigure("met.flipped_faces") == 0
     assert system.GetOutput().GetNumberOfPolys() > ball.mesh.GetNumberOfPolys()
     # The default height is half of 3 % of the diagonal of the ball's box; no point of the ball itself is farther out than 1.
     assert highest(system.GetOutput()) == pytest.approx(1.0 + 0.015 * 12.0 ** 0.5, abs=2e-3)

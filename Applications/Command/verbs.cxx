@@ -1,0 +1,80 @@
+#include "verbs.h"
+
+#include "files.h"
+#include "heights.h"
+#include "terminal.h"
+#include "texture.h"
+#include "upright_picture.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace oversketch_command
+{
+
+using namespace oversketch_files;
+using namespace oversketch_session;
+
+Image readImage(const std::string& path, SystemInput::Kind kind)
+{
+  requireReadable(path);
+  Image image{ std::filesystem::path(path).filename().string(),
+    std::make_shared<const std::string>(wholeFile(path)) };
+  if (kind == SystemInput::Kind::Heights)
+  {
+    parseHeights(path, *image.bytes);
+    return image;
+  }
+  image.bytes = std::make_shared<const std::string>(uprightPicture(*image.bytes));
+  if (!pictureOf(*image.bytes))
+  {
+    throw Failed(path + ": is " + notAnUprightPicture);
+  }
+  return image;
+}
+
+void requireOutputs(const Options& options, std::vector<NamedFile> read, const std::vector<NamedFile>& inside)
+{
+  std::vector<NamedFile> written = {
+    { "-o", options.output }, { "--report", options.report }, { "--picture", options.picture }
+  };
+  written.insert(written.end(), inside.begin(), inside.end());
+  for (const auto& [what, path] : written)
+  {
+    if (path.empty())
+    {
+      continue;
+    }
+    for (const auto& [other, its] : read)
+    {
+      if (isSameFile(path, its) && !(what == "-o" && other == "the mesh"))
+      {
+        throw BadUse(what + " " + path + " would replace " + other);
+      }
+    }
+    read.emplace_back(what, path);
+  }
+  for (const std::string* path : { &options.output, &options.picture, &options.report })
+  {
+    if (!path->empty())
+    {
+      requireWritable(*path);
+    }
+  }
+}
+
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Model& model, double done, double all)
+{
+  const auto count = static_cast<double>(model.nodes.size());
+  Evaluator::Watch watch;
+  watch.cancelled = interrupted;
+  watch.progress = [=](std::size_t node, const std::string& stage, double share)
+  { showProgress((done + (static_cast<double>(node) + share) / count) / all, stage); };
+  std::vector<Outcome> outcomes;
+  evaluator.run(model, watch, outcomes);
+  clearProgress();
+  throwIfInterrupted();
+  return outcomes;
+}
+
+} // namespace oversketch_command
