@@ -2,6 +2,8 @@
 
 #include "texture.h"
 
+#include "vtkOversketchCarriedArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -78,14 +80,9 @@ vtkSmartPointer<vtkPolyData> extracted(vtkPolyData* mesh, const std::vector<vtkI
   used.erase(std::unique(used.begin(), used.end()), used.end());
   auto piece = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  vtkPointData* data = piece->GetPointData();
-  data->CopyAllOn();
-  data->CopyAllocate(mesh->GetPointData(), static_cast<vtkIdType>(used.size()));
-  for (const vtkIdType point : used)
-  {
-    data->CopyData(mesh->GetPointData(), point, points->InsertNextPoint(mesh->GetPoint(point)));
-  }
+  points->SetData(oversketch::CarriedArray(mesh->GetPoints()->GetData(), used));
+  piece->GetPointData()->CopyAllOn();
+  oversketch::CopyElements(mesh->GetPointData(), used, piece->GetPointData());
   vtkNew<vtkCellArray> polys;
   for (const vtkIdType face : faces)
   {

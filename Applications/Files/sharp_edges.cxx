@@ -1,5 +1,7 @@
 #include "sharp_edges.h"
 
+#include "vtkOversketchCarriedArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -349,20 +351,15 @@ vtkSmartPointer<vtkPolyData> splitAlongLines(vtkPolyData* mesh, vtkIdList* from)
     }
   }
   auto cut = vtkSmartPointer<vtkPolyData>::New();
+  const std::vector<vtkIdType> sources(from->begin(), from->end());
   vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(from->GetNumberOfIds());
-  mesh->GetPoints()->GetPoints(from, points);
+  points->SetData(oversketch::CarriedArray(mesh->GetPoints()->GetData(), sources));
   cut->SetPoints(points);
   cut->SetPolys(faces);
   cut->GetCellData()->ShallowCopy(mesh->GetCellData());
   cut->GetFieldData()->ShallowCopy(mesh->GetFieldData());
   cut->GetPointData()->CopyAllOn();
-  cut->GetPointData()->CopyAllocate(data, from->GetNumberOfIds());
-  for (vtkIdType i = 0; i < from->GetNumberOfIds(); ++i)
-  {
-    cut->GetPointData()->CopyData(data, from->GetId(i), i);
-  }
+  oversketch::CopyElements(data, sources, cut->GetPointData());
   for (const auto& [point, normal] : normals)
   {
     cut->GetPointData()->GetNormals()->SetTuple(point, normal.data());

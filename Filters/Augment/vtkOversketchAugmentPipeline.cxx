@@ -3,8 +3,8 @@
 #include "Stellar/preview.h"
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchHierarchy.h"
-#include "vtkOversketchMixable.h"
 #include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 #include <string>
 
@@ -58,12 +57,7 @@ bool HasWholeMeasures(vtkPointData* data)
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = data->GetArray(a);
-    const bool stellar = array && array->GetName() &&
-                         std::find_if(std::begin(stellarPointArrays),
-                           std::end(stellarPointArrays),
-                           [array](const char* name)
-                           { return std::string(name) == array->GetName(); }) != std::end(stellarPointArrays);
-    if (array && IsMixable(array) && !stellar && array->GetDataType() != VTK_FLOAT &&
+    if (array && IsMixable(array) && !IsStellarArray(array->GetName()) && array->GetDataType() != VTK_FLOAT &&
         array->GetDataType() != VTK_DOUBLE)
     {
       return true;

@@ -1,5 +1,6 @@
 #include "vtkOversketchAugmentSeams.h"
 
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchHierarchy.h"
 
 #include "vtkCellArray.h"
@@ -15,32 +16,13 @@
 namespace oversketch
 {
 
-namespace
-{
-
-// Tuples of an array in another order.
-vtkSmartPointer<vtkDataArray> Reordered(vtkDataArray* array, const std::vector<vtkIdType>& from)
-{
-  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(from.size()));
-  for (std::size_t i = 0; i < from.size(); ++i)
-  {
-    result->SetTuple(static_cast<vtkIdType>(i), from[i], array);
-  }
-  return result;
-}
-
-} // namespace
-
 void CopyStellarArrays(vtkPolyData* source, const std::vector<vtkIdType>& from, vtkPolyData* to)
 {
   for (const char* name : stellarPointArrays)
   {
     if (vtkDataArray* array = source->GetPointData()->GetArray(name))
     {
-      to->GetPointData()->AddArray(Reordered(array, from));
+      to->GetPointData()->AddArray(CarriedArray(array, from));
     }
   }
   for (const char* name : stellarCellArrays)
@@ -88,13 +70,11 @@ std::vector<vtkIdType> PutSplit(vtkPolyData* split,
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
-  vtkPointData* to = output->GetPointData();
-  to->CopyAllocate(split->GetPointData(), count);
+  CopyElements(split->GetPointData(), order, output->GetPointData());
   for (vtkIdType i = 0; i < count; ++i)
   {
     vertexOf[i] = vertices[order[i]];
     points->SetPoint(i, augmented->GetPoint(vertexOf[i]));
-    to->CopyData(split->GetPointData(), order[i], i);
   }
   output->SetPoints(points);
   const vtkIdType cells = split->GetNumberOfPolys();

@@ -5,8 +5,20 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+
 namespace oversketch
 {
+
+bool IsStellarArray(const char* name)
+{
+  const auto same = [name](const char* other) { return name && std::string(name) == other; };
+  return std::any_of(std::begin(stellarCellArrays), std::end(stellarCellArrays), same) ||
+         std::any_of(std::begin(stellarPointArrays), std::end(stellarPointArrays), same) ||
+         std::any_of(std::begin(stellarFieldArrays), std::end(stellarFieldArrays), same);
+}
 
 void RemoveStellarArrays(vtkPolyData* mesh)
 {

@@ -22,6 +22,11 @@ inline constexpr const char* stellarPointArrays[] = { "StellarMoved",
 inline constexpr const char* stellarFieldArrays[] = { "StellarVersion", "CurveDigest" };
 
 /**
+ * Whether an array is one of them, by its name.
+ */
+OVERSKETCHFILTERSCORE_EXPORT bool IsStellarArray(const char* name);
+
+/**
  * Takes them away.
  */
 OVERSKETCHFILTERSCORE_EXPORT void RemoveStellarArrays(vtkPolyData* mesh);

@@ -1,5 +1,6 @@
 #include "vtkOversketchStrokeView.h"
 
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -8,7 +9,6 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <string>
 
@@ -39,11 +39,7 @@ View ViewOfStroke(vtkPolyData* strokes, vtkIdType stroke)
   one->SetLines(lines);
   for (vtkDataArray* array : ViewArraysOf(strokes))
   {
-    const auto its = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-    its->SetName(array->GetName());
-    its->SetNumberOfComponents(array->GetNumberOfComponents());
-    its->InsertNextTuple(stroke, array);
-    one->GetCellData()->AddArray(its);
+    one->GetCellData()->AddArray(CarriedArray(array, std::vector<vtkIdType>{ stroke }));
   }
   try
   {

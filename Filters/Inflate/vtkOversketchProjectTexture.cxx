@@ -4,6 +4,7 @@
 
 #include "Stroke/canvas.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchKept.h"
 
 #include "vtkCellArray.h"
@@ -73,14 +74,9 @@ std::vector<char> separateBack(vtkPolyData* mesh, vtkPolyData* result)
   }
   back.resize(sources.size(), 1);
   vtkNew<vtkPoints> places;
-  places->SetDataType(mesh->GetPoints()->GetDataType());
-  vtkPointData* data = result->GetPointData();
-  data->CopyAllOn();
-  data->CopyAllocate(mesh->GetPointData(), static_cast<vtkIdType>(sources.size()));
-  for (const vtkIdType source : sources)
-  {
-    data->CopyData(mesh->GetPointData(), source, places->InsertNextPoint(mesh->GetPoint(source)));
-  }
+  places->SetData(CarriedArray(mesh->GetPoints()->GetData(), sources));
+  result->GetPointData()->CopyAllOn();
+  CopyElements(mesh->GetPointData(), sources, result->GetPointData());
   vtkNew<vtkCellArray> polys;
   vtkNew<vtkIntArray> parts;
   parts->SetName("PartId");

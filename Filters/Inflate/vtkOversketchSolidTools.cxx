@@ -1,5 +1,6 @@
 #include "vtkOversketchSolidTools.h"
 
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
@@ -25,13 +26,13 @@ namespace
 template <typename Element>
 void copyBySource(vtkDataSetAttributes* from, const std::vector<Element>& elements, vtkDataSetAttributes* to)
 {
-  const auto count = static_cast<vtkIdType>(elements.size());
-  to->CopyNormalsOff();
-  to->CopyAllocate(from, count);
-  for (vtkIdType i = 0; i < count; ++i)
+  std::vector<int> sources;
+  for (const Element& element : elements)
   {
-    to->CopyData(from, elements[static_cast<std::size_t>(i)].source, i);
+    sources.push_back(element.source);
   }
+  to->CopyNormalsOff();
+  CopyElements(from, sources, to);
 }
 
 template <typename Element>

@@ -1,6 +1,7 @@
 #include "vtkOversketchEnclose.h"
 
 #include "Region/enclose.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchChains.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -8,7 +9,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -45,44 +45,16 @@ vtkSmartPointer<vtkUnsignedCharArray> labelsFrom(const std::vector<char>& labels
   return array;
 }
 
-vtkSmartPointer<vtkIdList> idsFrom(const std::vector<int>& ids)
-{
-  auto list = vtkSmartPointer<vtkIdList>::New();
-  list->SetNumberOfIds(static_cast<vtkIdType>(ids.size()));
-  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
-  return list;
-}
-
-// Fills `to` with the tuples of some elements; global ids stay ids.
-void takeTuples(vtkDataSetAttributes* from, const std::vector<int>& elements, vtkDataSetAttributes* to)
-{
-  to->CopyAllOn();
-  to->CopyAllocate(from, static_cast<vtkIdType>(elements.size()));
-  const auto source = idsFrom(elements);
-  vtkNew<vtkIdList> target;
-  target->SetNumberOfIds(source->GetNumberOfIds());
-  for (vtkIdType i = 0; i < target->GetNumberOfIds(); ++i)
-  {
-    target->SetId(i, i);
-  }
-  to->CopyData(from, source, target);
-}
-
 void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
 {
   vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(static_cast<vtkIdType>(extract.vertices.size()));
-  mesh->GetPoints()->GetData()->GetTuples(idsFrom(extract.vertices), points->GetData());
-  vtkNew<vtkCellArray> polys;
-  for (const Triangle& t : extract.mesh.triangles)
-  {
-    polys->InsertNextCell({ t[0], t[1], t[2] });
-  }
+  points->SetData(CarriedArray(mesh->GetPoints()->GetData(), extract.vertices));
   patch->SetPoints(points);
-  patch->SetPolys(polys);
-  takeTuples(mesh->GetPointData(), extract.vertices, patch->GetPointData());
-  takeTuples(mesh->GetCellData(), extract.triangles, patch->GetCellData());
+  patch->SetPolys(CellsOf(extract.mesh.triangles));
+  patch->GetPointData()->CopyAllOn(); // global ids stay ids
+  patch->GetCellData()->CopyAllOn();
+  CopyElements(mesh->GetPointData(), extract.vertices, patch->GetPointData());
+  CopyElements(mesh->GetCellData(), extract.triangles, patch->GetCellData());
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName("VertexId");
   ids->SetNumberOfValues(static_cast<vtkIdType>(extract.vertices.size()));

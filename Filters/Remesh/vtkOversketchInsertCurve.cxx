@@ -190,10 +190,8 @@ std::vector<MeshCurve> readStored(vtkPolyData* stored, int vertexCount)
 
 void writeMesh(vtkPolyData* input, const InsertedCurves& result, vtkPolyData* output)
 {
-  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
-  { SetMix(result.origins[static_cast<std::size_t>(point)], ids, weights); };
-  WriteCarried(
-    result.mesh, { result.pointSources, mixed, "Region", nullptr }, result.triangleSources, input, output);
+  const auto mixed = [&](vtkIdType point) { return result.origins[static_cast<std::size_t>(point)]; };
+  WriteCarried(result.mesh, { result.pointSources, mixed, "Region" }, result.triangleSources, input, output);
 }
 
 // cells: the input's cell that each curve takes its arrays from.

@@ -63,10 +63,9 @@ std::vector<RunOnMesh> readRuns(vtkPolyData* curves, int triangles, const std::s
 
 void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* output)
 {
-  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
-  { SetMix(refined.origins[static_cast<std::size_t>(point)], ids, weights); };
+  const auto mixed = [&](vtkIdType point) { return refined.origins[static_cast<std::size_t>(point)]; };
   WriteCarried(
-    refined.mesh, { refined.pointSources, mixed, "Region", nullptr }, refined.triangleSources, input, output);
+    refined.mesh, { refined.pointSources, mixed, "Region" }, refined.triangleSources, input, output);
   vtkNew<vtkDoubleArray> lengths;
   lengths->SetName("EdgeLength");
   lengths->SetNumberOfTuples(static_cast<vtkIdType>(refined.sizes.size()));

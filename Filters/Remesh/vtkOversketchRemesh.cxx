@@ -47,13 +47,6 @@ struct vtkOversketchRemesh::Cache
     double Guide = 0.0;  // L, 0: the region's own mean
     StepKey Key;
   };
-  struct Carried // an array of the input and what became of it
-  {
-    vtkAbstractArray* Source;
-    vtkMTimeType Time;
-    bool Points, Normals;
-    vtkSmartPointer<vtkAbstractArray> Result;
-  };
 
   static Question Read(vtkOversketchRemesh* self, vtkPolyData* input, vtkPolyData* handles);
   void Remesh(vtkOversketchRemesh* self, vtkPolyData* input, const Question& question);
@@ -70,10 +63,7 @@ struct vtkOversketchRemesh::Cache
   vtkSmartPointer<vtkIntArray> UnchangedCell; // null where there are sources of all
   vtkSmartPointer<vtkDoubleArray> GuideLength;
   vtkSmartPointer<vtkAbstractArray> EdgeLength; // null but for stage Stretch
-  std::vector<Carried> Arrays;
-
-private:
-  std::vector<Carried> Carry(vtkPolyData* input, vtkPolyData* output, bool points) const;
+  KeptArrays Arrays;
 };
 
 namespace
@@ -94,13 +84,15 @@ vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tupl
 // A point is a mix of the corners of the triangle that it lies in.
 CarriedPoints PointsOf(const RemeshResult& result, vtkCellArray* triangles)
 {
-  const PointMix corners = [&result, triangles](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  const auto corners = [&result, triangles, ids = vtkSmartPointer<vtkIdList>::New()](vtkIdType point)
   {
     const SurfacePoint place = result.place(static_cast<int>(point));
-    weights.assign(place.weights.begin(), place.weights.end());
     triangles->GetCellAtId(place.triangle, ids);
+    const auto corner = [&](int k)
+    { return std::make_pair(static_cast<int>(ids->GetId(k)), place.weights[k]); };
+    return Mix{ corner(0), corner(1), corner(2) };
   };
-  return { result.pointSource, corners, "Region", nullptr };
+  return { result.pointSource, corners, "Region" };
 }
 
 } // namespace
@@ -294,62 +286,25 @@ void vtkOversketchRemesh::Cache::KeepMesh(vtkPolyData* input, bool sourcesOfAll)
   this->Result.insideCorners = {};
 }
 
-// Arrays of the input, each carried over once for as long as it stands.
-std::vector<vtkOversketchRemesh::Cache::Carried> vtkOversketchRemesh::Cache::Carry(vtkPolyData* input,
-  vtkPolyData* output,
-  bool points) const
-{
-  vtkDataSetAttributes* from = input->GetPointData();
-  vtkDataSetAttributes* to = output->GetPointData();
-  if (!points)
-  {
-    from = input->GetCellData();
-    to = output->GetCellData();
-  }
-  const CarriedPoints made = PointsOf(this->Result, input->GetPolys());
-  std::vector<Carried> carried;
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    const int attribute = from->IsArrayAnAttribute(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if (attribute == vtkDataSetAttributes::GLOBALIDS ||
-        (!points && (name == "SourceCell" || name == "SourceWeights")))
-    {
-      continue;
-    }
-    Carried item{ array, array->GetMTime(), points, attribute == vtkDataSetAttributes::NORMALS, nullptr };
-    for (const Carried& known : this->Arrays)
-    {
-      if (known.Source == item.Source && known.Time == item.Time && known.Points == points &&
-          known.Normals == item.Normals)
-      {
-        item.Result = known.Result;
-      }
-    }
-    if (!item.Result)
-    {
-      item.Result =
-        points ? made.Array(array, item.Normals) : CarriedCellArray(array, this->Result.triangleSource);
-    }
-    carried.push_back(item);
-    const int index = to->AddArray(item.Result);
-    if (attribute >= 0)
-    {
-      to->SetActiveAttribute(index, attribute);
-    }
-  }
-  return carried;
-}
-
 void vtkOversketchRemesh::Cache::Write(vtkPolyData* input, vtkPolyData* output)
 {
   output->SetPoints(this->Points);
   output->SetPolys(this->Polys);
-  std::vector<Carried> carried = this->Carry(input, output, true);
-  const std::vector<Carried> ofCells = this->Carry(input, output, false);
-  carried.insert(carried.end(), ofCells.begin(), ofCells.end());
-  this->Arrays = std::move(carried);
+  const CarriedPoints points = PointsOf(this->Result, input->GetPolys());
+  CarryArrays(input->GetPointData(),
+    output->GetPointData(),
+    [&](vtkAbstractArray* array, bool normals)
+    { return this->Arrays.Provide(array, normals ? 2 : 1, [&] { return points.Array(array, normals); }); });
+  CarryArrays(input->GetCellData(),
+    output->GetCellData(),
+    [&](vtkAbstractArray* array, bool)
+    {
+      return IsNamed(array, "SourceCell") || IsNamed(array, "SourceWeights")
+               ? nullptr
+               : this->Arrays.Provide(
+                   array, 0, [&] { return CarriedArray(array, this->Result.triangleSource); });
+    });
+  this->Arrays.EndRun();
   vtkFieldData* fields = output->GetFieldData();
   fields->PassData(input->GetFieldData());
   for (const char* name : { "SourceCell", "SourceWeights", "UnchangedCell" }) // an earlier remeshing's

@@ -2,7 +2,6 @@
 
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchEditRegion.h"
-#include "vtkOversketchMixable.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -38,18 +37,16 @@ void WriteRetriangulated(const Retriangulated& result, vtkPolyData* mesh, vtkPol
   const auto mixOf = [&](vtkIdType point) -> const Mix&
   { return result.mixes[numbers[static_cast<std::size_t>(point)]]; };
   vtkDataArray* labels = mesh->GetPointData()->GetArray(regionName);
-  const PointMix mixed = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
-  { SetMix(mixOf(point), ids, weights); };
-  const PointMix inside = [&](vtkIdType point, vtkIdList* ids, std::vector<double>& weights)
+  const auto inside = [&](vtkIdType point)
   {
     const Mix& mix = mixOf(point);
     const auto found = std::find_if(mix.begin(),
       mix.end(),
       [labels](const auto& entry) { return labels->GetComponent(entry.first, 0) == EditLabel::Inside; });
-    SetMix(found != mix.end() ? Mix{ *found } : mix, ids, weights);
+    return found != mix.end() ? Mix{ *found } : mix;
   };
   WriteCarried(
-    result.mesh, { result.pointSource, mixed, regionName, inside }, result.triangleSource, mesh, output);
+    result.mesh, { result.pointSource, mixOf, regionName, inside }, result.triangleSource, mesh, output);
 }
 
 void WriteChains(const Retriangulated& result,

@@ -3,16 +3,12 @@
 #include "Mesh/nearest.h"
 #include "Mesh/rotation.h"
 #include "Stellar/leaves.h"
-#include "vtkOversketchMixable.h"
-#include "vtkOversketchRuns.h"
-#include "vtkOversketchStellarTools.h"
+#include "vtkOversketchHierarchy.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -28,16 +24,6 @@ namespace oversketch
 namespace
 {
 
-vtkSmartPointer<vtkDataArray> LikeArray(vtkDataArray* array, std::size_t tuples)
-{
-  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  result->CopyComponentNames(array);
-  return result;
-}
-
 bool Identity(const std::vector<int>& from)
 {
   for (std::size_t i = 0; i < from.size(); ++i)
@@ -48,47 +34,6 @@ bool Identity(const std::vector<int>& from)
     }
   }
   return true;
-}
-
-void Normalise(vtkDataArray* values, vtkIdType tuple)
-{
-  Vector3 n;
-  values->GetTuple(tuple, n.data());
-  if (n.norm() > 0.0)
-  {
-    n.normalize();
-    values->SetTuple(tuple, n.data());
-  }
-}
-
-// One tuple between some of `source`.
-void Mix(vtkDataArray* to,
-  vtkIdType tuple,
-  const Binding& between,
-  vtkDataArray* source,
-  bool mixes,
-  bool normals)
-{
-  const auto greatest = std::max_element(between.weights.begin(), between.weights.end());
-  if (!mixes || *greatest == 1.0)
-  {
-    to->SetTuple(tuple, between.vertices[greatest - between.weights.begin()], source);
-    return;
-  }
-  for (int c = 0; c < to->GetNumberOfComponents(); ++c)
-  {
-    double sum = 0.0;
-    for (int k = 0; k < 3; ++k)
-    {
-      sum +=
-        between.weights[k] == 0.0 ? 0.0 : between.weights[k] * source->GetComponent(between.vertices[k], c);
-    }
-    to->SetComponent(tuple, c, sum);
-  }
-  if (normals)
-  {
-    Normalise(to, tuple);
-  }
 }
 
 // The place nearest to p in the star of a vertex.
@@ -213,7 +158,7 @@ Turns turnsOf(const Forest& before, const Forest& after)
   return turned;
 }
 
-void CarriedArrays::NeedOrigins()
+void StellarCarry::NeedOrigins()
 {
   if (this->Find)
   {
@@ -224,7 +169,7 @@ void CarriedArrays::NeedOrigins()
   }
 }
 
-vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bool normals) const
+vtkSmartPointer<vtkDataArray> StellarCarry::CarryPoints(vtkDataArray* array, bool normals) const
 {
   const bool turns = normals && array->GetNumberOfComponents() == 3 && !this->Turned.empty();
   if (this->SamePoints && !turns &&
@@ -234,33 +179,52 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
   }
   const bool mixes = IsMixable(array);
   const bool whole = mixes && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
-  auto carried = LikeArray(array, this->From.pointFrom.size());
-  const vtkSmartPointer<vtkDataArray> result = carried;
+  vtkSmartPointer<vtkDataArray> source = array;
   if (whole) // means of means are rounded once
   {
-    carried = vtkSmartPointer<vtkDoubleArray>::New();
-    carried->SetNumberOfComponents(array->GetNumberOfComponents());
-    carried->SetNumberOfTuples(result->GetNumberOfTuples());
+    source = vtkSmartPointer<vtkDoubleArray>::New();
+    source->DeepCopy(array);
   }
-  EachRun(
-    this->From.pointFrom,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [](vtkIdType) {});
-  for (const auto& [point, between] : this->From.slid)
+  const auto carried = CarriedArray(source.Get(), this->From.pointFrom);
+  TupleMixer mixer(mixes, mixes && normals);
+  const auto put = [&](const std::pair<int, Binding>& point, vtkDataArray* from)
   {
-    Mix(carried, point, between, array, mixes, normals);
-  }
-  for (const auto& [point, between] : this->From.born)
-  {
-    Mix(carried, point, between, carried, mixes, normals);
-  }
-  for (vtkIdType i = 0; whole && i < result->GetNumberOfTuples(); ++i)
-  {
-    for (int c = 0; c < result->GetNumberOfComponents(); ++c)
+    const auto& [vertices, weights] = point.second;
+    const auto greatest = std::max_element(weights.begin(), weights.end());
+    if (*greatest == 1.0)
     {
-      result->SetComponent(i, c, std::round(carried->GetComponent(i, c)));
+      carried->SetTuple(point.first, vertices[greatest - weights.begin()], from);
+      return;
     }
+    Mix mix;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (weights[k] != 0.0)
+      {
+        mix.emplace_back(vertices[k], weights[k]);
+      }
+    }
+    mixer.Put(carried, point.first, mix, from);
+  };
+  for (const auto& slid : this->From.slid)
+  {
+    put(slid, source);
+  }
+  for (const auto& born : this->From.born)
+  {
+    put(born, carried);
+  }
+  if (whole)
+  {
+    auto rounded = LikeArray(array, this->From.pointFrom.size());
+    for (vtkIdType i = 0; i < rounded->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < rounded->GetNumberOfComponents(); ++c)
+      {
+        rounded->SetComponent(i, c, std::round(carried->GetComponent(i, c)));
+      }
+    }
+    return rounded;
   }
   for (std::size_t i = 0; turns && i < this->Turned.size(); ++i)
   {
@@ -270,67 +234,45 @@ vtkSmartPointer<vtkDataArray> CarriedArrays::CarryPoints(vtkDataArray* array, bo
     n = turn * n;
     carried->SetTuple(point, n.data());
   }
-  return result;
-}
-
-vtkSmartPointer<vtkDataArray> CarriedArrays::CarryCells(vtkDataArray* array) const
-{
-  if (this->SameCells && array->GetNumberOfTuples() == static_cast<vtkIdType>(this->From.cellFrom.size()))
-  {
-    return array;
-  }
-  auto carried = LikeArray(array, this->From.cellFrom.size());
-  EachRun(
-    this->From.cellFrom,
-    [&](vtkIdType first, vtkIdType count, vtkIdType source)
-    { carried->InsertTuples(first, count, source, array); },
-    [](vtkIdType) {});
   return carried;
 }
 
-void CarriedArrays::Carry(vtkPolyData* input, vtkPolyData* output)
+vtkSmartPointer<vtkDataArray> StellarCarry::CarryCells(vtkDataArray* array) const
 {
-  std::vector<Item> items;
-  for (const bool points : { true, false })
+  const bool same =
+    this->SameCells && array->GetNumberOfTuples() == static_cast<vtkIdType>(this->From.cellFrom.size());
+  return same ? vtkSmartPointer<vtkDataArray>(array) : CarriedArray(array, this->From.cellFrom);
+}
+
+void StellarCarry::Carry(vtkPolyData* input, vtkPolyData* output)
+{
+  const auto carry = [this](
+                       vtkDataSetAttributes* from, vtkIdType count, bool points, vtkDataSetAttributes* to)
   {
-    vtkDataSetAttributes* from = points ? static_cast<vtkDataSetAttributes*>(input->GetPointData())
-                                        : static_cast<vtkDataSetAttributes*>(input->GetCellData());
-    vtkDataSetAttributes* to = points ? static_cast<vtkDataSetAttributes*>(output->GetPointData())
-                                      : static_cast<vtkDataSetAttributes*>(output->GetCellData());
-    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = from->GetArray(i);
-      const int attribute = from->IsArrayAnAttribute(i);
-      const vtkIdType tuples = points ? input->GetNumberOfPoints() : input->GetNumberOfCells();
-      if (!array || array->GetNumberOfTuples() != tuples || IsStellarArray(array->GetName()) ||
-          attribute == vtkDataSetAttributes::GLOBALIDS || attribute == vtkDataSetAttributes::PEDIGREEIDS)
+    CarryArrays(from,
+      to,
+      [&](vtkAbstractArray* array, bool normals) -> vtkSmartPointer<vtkAbstractArray>
       {
-        continue;
-      }
-      const bool normals = points && attribute == vtkDataSetAttributes::NORMALS;
-      Item item{ array, array->GetMTime(), points, normals, nullptr };
-      for (const Item& known : this->Items)
-      {
-        if (known.Source == item.Source && known.Time == item.Time && known.Points == points &&
-            known.Normals == normals)
+        auto* numbers = vtkDataArray::SafeDownCast(array);
+        if (!numbers || numbers->GetNumberOfTuples() != count || IsStellarArray(numbers->GetName()) ||
+            numbers == from->GetPedigreeIds())
         {
-          item.Result = known.Result;
+          return nullptr;
         }
-      }
-      if (!item.Result)
-      {
-        this->NeedOrigins();
-        item.Result = points ? this->CarryPoints(array, normals) : this->CarryCells(array);
-      }
-      items.push_back(item);
-      const int index = to->AddArray(item.Result);
-      if (attribute >= 0)
-      {
-        to->SetActiveAttribute(index, attribute);
-      }
-    }
-  }
-  this->Items = std::move(items);
+        return this->Kept.Provide(numbers,
+          !points   ? 0
+          : normals ? 2
+                    : 1,
+          [&]
+          {
+            this->NeedOrigins();
+            return points ? this->CarryPoints(numbers, normals) : this->CarryCells(numbers);
+          });
+      });
+  };
+  carry(input->GetPointData(), input->GetNumberOfPoints(), true, output->GetPointData());
+  carry(input->GetCellData(), input->GetNumberOfCells(), false, output->GetCellData());
+  this->Kept.EndRun();
   for (int i = 0; i < input->GetFieldData()->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = input->GetFieldData()->GetAbstractArray(i);

@@ -4,9 +4,9 @@
 
 #include "Mesh/place.h"
 #include "Stellar/forest.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkSmartPointer.h"
-#include "vtkType.h"
 
 #include <functional>
 #include <utility>
@@ -35,13 +35,13 @@ Origins originsOf(const Forest& before, const Forest& after, bool slides);
 using Turns = std::vector<std::pair<int, Eigen::Quaterniond>>;
 Turns turnsOf(const Forest& before, const Forest& after);
 
-// Keeps what became of each array while it and the origins stand. Those are asked for once they are needed:
-// many meshes have no arrays.
-class CarriedArrays
+// Carries arrays, and keeps what became of each while it and the origins stand. Those are asked for once they
+// are needed: many meshes have no arrays.
+class StellarCarry
 {
 public:
-  CarriedArrays() = default;
-  explicit CarriedArrays(std::function<Origins()> origins)
+  StellarCarry() = default;
+  explicit StellarCarry(std::function<Origins()> origins)
     : Find(std::move(origins))
   {
   }
@@ -61,13 +61,6 @@ public:
   void Carry(vtkPolyData* input, vtkPolyData* output);
 
 private:
-  struct Item
-  {
-    const void* Source;
-    vtkMTimeType Time;
-    bool Points, Normals;
-    vtkSmartPointer<vtkDataArray> Result;
-  };
   void NeedOrigins();
   vtkSmartPointer<vtkDataArray> CarryPoints(vtkDataArray* array, bool normals) const;
   vtkSmartPointer<vtkDataArray> CarryCells(vtkDataArray* array) const;
@@ -76,7 +69,7 @@ private:
   Origins From;
   Turns Turned;
   bool SamePoints = false, SameCells = false;
-  std::vector<Item> Items;
+  KeptArrays Kept;
 };
 
 } // namespace oversketch

@@ -47,7 +47,7 @@ void StellarStep::Provide(const StepKey& key,
     *this = StellarStep(); // so that nothing stale is left when making fails
     Made made = make();
     this->After = made.forest;
-    this->Arrays = CarriedArrays(std::move(made.origins));
+    this->Arrays = StellarCarry(std::move(made.origins));
     this->Turns = made.turns;
     this->Stem = StellarPolyData(
       this->After, made.digest, made.sameCells ? input : nullptr, made.forest == this->Before, made.curvesOf);

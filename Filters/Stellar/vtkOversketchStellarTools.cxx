@@ -1,6 +1,7 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "Stellar/leaves.h"
+#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchStellarRegister.h"
 
 #include "vtkCellArray.h"
@@ -29,14 +30,6 @@ namespace oversketch
 namespace
 {
 
-const char* const cellNames[] = { "StellarRoot", "StellarPath", "StellarGen" };
-const char* const pointNames[] = { "StellarMoved",
-  "CurveId",
-  "CurveParam",
-  "BaseNormal",
-  "Displacement",
-  "Feature" };
-const char* const fieldNames[] = { "StellarVersion", "CurveDigest" };
 const char* const remedy =
   "a 4-8 mesh carries all its arrays (Filters/Stellar/README.md); make one with vtkOversketchStellarBase, or "
   "leave out the filter that dropped or changed them";
@@ -123,11 +116,11 @@ Leaves LeavesOf(vtkPolyData* mesh)
   RequirePolygonsOnly(mesh);
   const vtkIdType points = mesh->GetNumberOfPoints(), cells = mesh->GetNumberOfCells();
   const auto ofCells = [&](int i)
-  { return RequireArray(mesh->GetCellData(), cellNames[i], 1, cells, "mesh", remedy); };
+  { return RequireArray(mesh->GetCellData(), stellarCellArrays[i], 1, cells, "mesh", remedy); };
   const auto ofPoints = [&](int i, int components)
-  { return RequireArray(mesh->GetPointData(), pointNames[i], components, points, "mesh", remedy); };
+  { return RequireArray(mesh->GetPointData(), stellarPointArrays[i], components, points, "mesh", remedy); };
   const auto optional = [&](int i)
-  { return mesh->GetPointData()->GetAbstractArray(pointNames[i]) != nullptr; };
+  { return mesh->GetPointData()->GetAbstractArray(stellarPointArrays[i]) != nullptr; };
   Leaves leaves;
   leaves.root = WholeOf<int>(ofCells(0));
   leaves.path = WholeOf<std::uint64_t>(ofCells(1));
@@ -218,14 +211,14 @@ void WritePoints(const Forest& forest, vtkPolyData* mesh, vtkPolyData* curvesOf)
   const auto& vertices = forest.vertices;
   const std::size_t count = vertices.size();
   const auto positions = NewArray<vtkDoubleArray>("Points", 3, count);
-  const auto moved = NewArray<vtkUnsignedCharArray>(pointNames[0], 1, count);
-  const auto curves = curvesOf ? nullptr : NewArray<vtkIntArray>(pointNames[1], 1, count);
-  const auto parameters = curvesOf ? nullptr : NewArray<vtkDoubleArray>(pointNames[2], 1, count);
+  const auto moved = NewArray<vtkUnsignedCharArray>(stellarPointArrays[0], 1, count);
+  const auto curves = curvesOf ? nullptr : NewArray<vtkIntArray>(stellarPointArrays[1], 1, count);
+  const auto parameters = curvesOf ? nullptr : NewArray<vtkDoubleArray>(stellarPointArrays[2], 1, count);
   const auto optional = [count](bool present, const char* name, int components)
   { return present ? NewArray<vtkDoubleArray>(name, components, count) : nullptr; };
-  const auto normals = optional(forest.hasBaseNormals, pointNames[3], 3);
-  const auto displacements = optional(!forest.displacement.empty(), pointNames[4], 3);
-  const auto features = optional(!forest.feature.empty(), pointNames[5], 1);
+  const auto normals = optional(forest.hasBaseNormals, stellarPointArrays[3], 3);
+  const auto displacements = optional(!forest.displacement.empty(), stellarPointArrays[4], 3);
+  const auto features = optional(!forest.feature.empty(), stellarPointArrays[5], 1);
   const auto valuesOf = [](vtkDoubleArray* array) { return array ? array->GetPointer(0) : nullptr; };
   double *position = valuesOf(positions), *parameter = valuesOf(parameters), *normal = valuesOf(normals),
          *displacement = valuesOf(displacements), *feature = valuesOf(features);
@@ -259,7 +252,7 @@ void WritePoints(const Forest& forest, vtkPolyData* mesh, vtkPolyData* curvesOf)
   places->SetData(positions);
   mesh->SetPoints(places);
   const auto shared = [curvesOf](int i)
-  { return curvesOf ? curvesOf->GetPointData()->GetArray(pointNames[i]) : nullptr; };
+  { return curvesOf ? curvesOf->GetPointData()->GetArray(stellarPointArrays[i]) : nullptr; };
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{
          moved, shared(1), shared(2), curves, parameters, normals, displacements, features })
   {
@@ -275,9 +268,9 @@ void WriteCells(const Forest& forest, vtkPolyData* mesh)
   const auto& faces = forest.faces;
   const auto corners = NewArray<vtkIdTypeArray>(nullptr, 1, 3 * faces.size()),
              offsets = NewArray<vtkIdTypeArray>(nullptr, 1, faces.size() + 1);
-  const auto roots = NewArray<vtkIntArray>(cellNames[0], 1, faces.size());
-  const auto paths = NewArray<vtkTypeUInt64Array>(cellNames[1], 1, faces.size());
-  const auto generations = NewArray<vtkUnsignedCharArray>(cellNames[2], 1, faces.size());
+  const auto roots = NewArray<vtkIntArray>(stellarCellArrays[0], 1, faces.size());
+  const auto paths = NewArray<vtkTypeUInt64Array>(stellarCellArrays[1], 1, faces.size());
+  const auto generations = NewArray<vtkUnsignedCharArray>(stellarCellArrays[2], 1, faces.size());
   vtkIdType *corner = corners->GetPointer(0), *offset = offsets->GetPointer(0);
   int* root = roots->GetPointer(0);
   vtkTypeUInt64* path = paths->GetPointer(0);
@@ -307,7 +300,7 @@ bool SharesCells(vtkPolyData* mesh)
   const int types[] = { VTK_INT, VTK_TYPE_UINT64, VTK_UNSIGNED_CHAR };
   for (int i = 0; i < 3; ++i)
   {
-    vtkDataArray* array = mesh->GetCellData()->GetArray(cellNames[i]);
+    vtkDataArray* array = mesh->GetCellData()->GetArray(stellarCellArrays[i]);
     if (!array || array->GetDataType() != types[i])
     {
       return false;
@@ -322,7 +315,7 @@ bool SharesPoints(vtkPolyData* mesh)
   const int types[] = { VTK_UNSIGNED_CHAR, VTK_INT, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE };
   for (int i = 0; i < 6; ++i)
   {
-    vtkDataArray* array = mesh->GetPointData()->GetArray(pointNames[i]);
+    vtkDataArray* array = mesh->GetPointData()->GetArray(stellarPointArrays[i]);
     if (array ? array->GetDataType() != types[i] : i < 3)
     {
       return false;
@@ -361,19 +354,11 @@ bool HasSnapped(const Forest& forest)
     forest.vertices.rbegin(), forest.vertices.rend(), [](const Forest::Vertex& v) { return v.curveId >= 0; });
 }
 
-bool IsStellarArray(const char* name)
-{
-  const auto same = [name](const char* other) { return name && std::string(name) == other; };
-  return std::any_of(std::begin(cellNames), std::end(cellNames), same) ||
-         std::any_of(std::begin(pointNames), std::end(pointNames), same) ||
-         std::any_of(std::begin(fieldNames), std::end(fieldNames), same);
-}
-
 bool HasStellarArrays(vtkPolyData* mesh)
 {
-  return mesh->GetFieldData()->GetAbstractArray(fieldNames[0]) ||
-         std::any_of(std::begin(cellNames),
-           std::end(cellNames),
+  return mesh->GetFieldData()->GetAbstractArray(stellarFieldArrays[0]) ||
+         std::any_of(std::begin(stellarCellArrays),
+           std::end(stellarCellArrays),
            [mesh](const char* name) { return mesh->GetCellData()->GetAbstractArray(name) != nullptr; });
 }
 
@@ -381,15 +366,15 @@ MeshKey StellarKey(vtkPolyData* mesh)
 {
   RequirePolygonsOnly(mesh);
   std::vector<vtkDataArray*> arrays;
-  for (const char* name : cellNames)
+  for (const char* name : stellarCellArrays)
   {
     arrays.push_back(mesh->GetCellData()->GetArray(name));
   }
-  for (const char* name : pointNames)
+  for (const char* name : stellarPointArrays)
   {
     arrays.push_back(mesh->GetPointData()->GetArray(name));
   }
-  for (const char* name : fieldNames)
+  for (const char* name : stellarFieldArrays)
   {
     arrays.push_back(mesh->GetFieldData()->GetArray(name));
   }
@@ -431,7 +416,7 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   if (alike && same && SharesPoints(alike))
   {
     mesh->SetPoints(alike->GetPoints());
-    for (const char* name : pointNames)
+    for (const char* name : stellarPointArrays)
     {
       if (vtkDataArray* array = alike->GetPointData()->GetArray(name))
       {
@@ -446,7 +431,7 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   if (alike && SharesCells(alike))
   {
     mesh->SetPolys(alike->GetPolys());
-    for (const char* name : cellNames)
+    for (const char* name : stellarCellArrays)
     {
       mesh->GetCellData()->AddArray(alike->GetCellData()->GetArray(name));
     }
@@ -455,10 +440,10 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
   {
     WriteCells(*forest, mesh);
   }
-  mesh->GetFieldData()->AddArray(OneValue<vtkIntArray>(fieldNames[0], 1));
+  mesh->GetFieldData()->AddArray(OneValue<vtkIntArray>(stellarFieldArrays[0], 1));
   if (digest)
   {
-    mesh->GetFieldData()->AddArray(OneValue<vtkTypeUInt64Array>(fieldNames[1], *digest));
+    mesh->GetFieldData()->AddArray(OneValue<vtkTypeUInt64Array>(stellarFieldArrays[1], *digest));
   }
   assert(ReachOf(mesh) > LargestCoordinate || SameForest(rebuild(LeavesOf(mesh), ThreadsOnly()), *forest));
   TheRegister().Add(StellarKey(mesh), forest);

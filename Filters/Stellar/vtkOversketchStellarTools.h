@@ -29,9 +29,6 @@ namespace oversketch
 // Whether a polydata has an array of a 4-8 mesh's structure, sound or not.
 bool HasStellarArrays(vtkPolyData* mesh);
 
-// Whether an array belongs to the 4-8 mesh and is written anew by each step. `of`: the attributes it is in.
-bool IsStellarArray(const char* name);
-
 // What a step reads of a 4-8 mesh.
 MeshKey StellarKey(vtkPolyData* mesh);
 
@@ -134,7 +131,7 @@ private:
   StepKey Key, InputsKey;
   std::shared_ptr<const Forest> Before, After; // held for who asks SharedForest
   vtkSmartPointer<vtkPolyData> Stem;           // what this module writes of the output; null: nothing is kept
-  CarriedArrays Arrays;
+  StellarCarry Arrays;
   bool Turns = false; // to be found where there are normals
 };
 

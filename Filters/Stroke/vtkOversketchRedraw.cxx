@@ -1,5 +1,6 @@
 #include "vtkOversketchRedraw.h"
 
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
@@ -11,7 +12,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cstring>
@@ -45,15 +45,6 @@ double otherwise(const char* name)
     std::end(strokeArrays),
     [&](const StrokeArray& each) { return name && std::strcmp(each.Name, name) == 0; });
   return found == std::end(strokeArrays) ? 0.0 : found->Otherwise;
-}
-
-vtkSmartPointer<vtkDataArray> emptyLike(vtkDataArray* array, vtkIdType tuples)
-{
-  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  result->SetNumberOfTuples(tuples);
-  return result;
 }
 
 // The same array of another polydata, of the same size of tuples.
@@ -128,7 +119,7 @@ void writePointArrays(const std::vector<vtkDataArray*>& arrays, const Redrawn& r
   std::size_t list = 0;
   for (vtkDataArray* array : arrays)
   {
-    const auto written = emptyLike(array, output->GetNumberOfPoints());
+    const auto written = LikeArray(array, static_cast<std::size_t>(output->GetNumberOfPoints()));
     for (int c = 0; c < array->GetNumberOfComponents(); ++c, ++list)
     {
       vtkIdType id = 0;
@@ -153,7 +144,7 @@ void writeCellArray(vtkDataArray* model,
 {
   const vtkIdType count = static_cast<vtkIdType>(redrawn.Curves.size());
   const vtkIdType before = count - static_cast<vtkIdType>(redrawn.Sources.size());
-  const auto written = emptyLike(model, count);
+  const auto written = LikeArray(model, redrawn.Curves.size());
   written->Fill(otherwise(model->GetName()));
   for (vtkIdType i = 0; i < count; ++i)
   {

@@ -2,18 +2,16 @@
 
 #include "Stroke/stroke.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchStrokeTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -50,53 +48,38 @@ int vtkOversketchStrokeFilter::RequestData(vtkInformation*,
       vtkDataArray* viewports = input->GetCellData()->GetArray("ViewportSize");
       const bool sized = viewports && viewports->GetNumberOfComponents() == 2 &&
                          viewports->GetNumberOfTuples() == input->GetNumberOfCells();
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      vtkNew<vtkCellArray> lines;
-      vtkPointData* from = input->GetPointData();
-      vtkPointData* to = output->GetPointData();
-      to->InterpolateAllocate(from);
+      std::vector<DrawnLine> lines(static_cast<std::size_t>(strokes));
+      std::vector<std::vector<Blend>> places(lines.size());
       vtkNew<vtkIdList> ids;
       for (vtkIdType stroke = 0; stroke < strokes; ++stroke)
       {
         input->GetLines()->GetCellAtId(stroke, ids);
-        Polyline samples;
-        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+        DrawnLine& line = lines[static_cast<std::size_t>(stroke)];
+        line.Ids.assign(ids->begin(), ids->end());
+        for (const vtkIdType id : line.Ids)
         {
           // An id out of range makes a sample that is not finite, and is refused as such.
           Vector3 p = Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
-          if (ids->GetId(i) >= 0 && ids->GetId(i) < input->GetNumberOfPoints())
+          if (id >= 0 && id < input->GetNumberOfPoints())
           {
-            input->GetPoint(ids->GetId(i), p.data());
+            input->GetPoint(id, p.data());
           }
-          samples.push_back(p.head<2>());
+          line.Samples.push_back(p.head<2>());
         }
         if (sized)
         {
           viewports->GetTuple(stroke, rules.viewport.data());
         }
-        std::vector<Blend> places;
         try
         {
-          places = cleanStroke(samples, rules);
+          places[static_cast<std::size_t>(stroke)] = cleanStroke(line.Samples, rules);
         }
         catch (const Error& error)
         {
           throw Error(error.failure(), Message::unusable("Stroke", stroke, error.message()));
         }
-        lines->InsertNextCell(static_cast<int>(places.size()));
-        for (const Blend& place : places)
-        {
-          const Vector2 p = place.of(samples);
-          const vtkIdType id = points->InsertNextPoint(p[0], p[1], 0.0);
-          lines->InsertCellPoint(id);
-          to->InterpolateEdge(from, id, ids->GetId(place.from), ids->GetId(place.to), place.t);
-        }
       }
-      output->SetPoints(points);
-      output->SetLines(lines);
-      output->GetCellData()->PassData(input->GetCellData());
-      output->GetFieldData()->PassData(input->GetFieldData());
+      WriteStrokes(input, lines, places, std::vector<char>(lines.size(), 0), output);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "Ray/room.h"
 #include "Stroke/stroke.h"
 #include "vtkOversketchBindings.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -52,14 +53,6 @@ vtkDataArray* pressureOf(vtkPolyData* strokes)
              pressure->GetNumberOfTuples() == strokes->GetNumberOfPoints()
            ? pressure
            : nullptr;
-}
-
-vtkSmartPointer<vtkDataArray> emptyLike(vtkDataArray* array)
-{
-  auto result = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-  result->SetName(array->GetName());
-  result->SetNumberOfComponents(array->GetNumberOfComponents());
-  return result;
 }
 
 // The triangles that have one of some vertices, in the mesh's order, as a mesh of their own.
@@ -119,7 +112,7 @@ struct CurvePoints
     this->cells->SetName("MeshCell");
     if (strokesPressure)
     {
-      this->pressure = emptyLike(strokesPressure);
+      this->pressure = LikeArray(strokesPressure, 0);
     }
   }
 
@@ -282,7 +275,7 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   std::vector<vtkSmartPointer<vtkDataArray>> taken;
   for (vtkDataArray* array : passed)
   {
-    taken.push_back(emptyLike(array));
+    taken.push_back(LikeArray(array, 0));
     output->GetCellData()->AddArray(taken.back());
   }
   for (const StrokeCurve& curve : curves)

@@ -3,9 +3,8 @@
 #include "Mesh/mix.h"
 #include "Mesh/rotation.h"
 #include "Mesh/weld.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchMixable.h"
-#include "vtkOversketchRuns.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkCellArray.h"
@@ -81,19 +80,6 @@ vtkSmartPointer<vtkPoints> NewPoints(vtkPolyData* like, vtkIdType count)
   points->SetDataType(like->GetPoints()->GetDataType());
   points->SetNumberOfPoints(count);
   return points;
-}
-
-vtkSmartPointer<vtkCellArray> CellsOf(const std::vector<Triangle>& triangles)
-{
-  auto polys = vtkSmartPointer<vtkCellArray>::New();
-  const auto count = static_cast<vtkIdType>(triangles.size());
-  polys->AllocateExact(count, 3 * count);
-  for (const Triangle& t : triangles)
-  {
-    const vtkIdType ids[3] = { t[0], t[1], t[2] };
-    polys->InsertNextCell(3, ids);
-  }
-  return polys;
 }
 
 // The geometry of a mesh without its arrays: what SharedMesh keeps serves any step that reads no normals.
@@ -469,7 +455,6 @@ void Weld::CarryPoints(vtkPolyData* mesh,
   vtkPolyData* output) const
 {
   vtkPointData* from = mesh->GetPointData();
-  vtkPointData* to = output->GetPointData();
   const auto count = static_cast<vtkIdType>(split.Whole.size());
   auto points = NewPoints(mesh, count);
   vtkSMPTools::For(0,
@@ -482,37 +467,13 @@ void Weld::CarryPoints(vtkPolyData* mesh,
       }
     });
   output->SetPoints(points);
-  to->InterpolateAllocate(from, count);
-  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> labels;
-  for (int a = 0; a < to->GetNumberOfArrays(); ++a)
-  {
-    vtkDataArray* array = to->GetArray(a);
-    vtkDataArray* source = array && array->GetName() ? from->GetArray(array->GetName()) : nullptr;
-    if (source && !IsMixable(array))
+  const CarriedPoints carried{ split.Whole, [&split](vtkIdType point) { return split.Of(point); } };
+  CarryArrays(from,
+    output->GetPointData(),
+    [&](vtkAbstractArray* array, bool)
     {
-      labels.emplace_back(source, array);
-    }
-  }
-  vtkNew<vtkIdList> ids;
-  std::vector<double> weights;
-  EachRun(
-    split.Whole,
-    [&](vtkIdType first, vtkIdType length, vtkIdType source) { to->CopyData(from, first, length, source); },
-    [&](vtkIdType i)
-    {
-      ids->Reset();
-      weights.clear();
-      for (const auto& [point, weight] : split.Of(i))
-      {
-        ids->InsertNextId(point);
-        weights.push_back(weight);
-      }
-      to->InterpolatePoint(from, i, ids, weights.data());
-      const auto most = std::max_element(weights.begin(), weights.end()) - weights.begin();
-      for (const auto& [source, array] : labels)
-      {
-        array->SetTuple(i, ids->GetId(most), source);
-      }
+      const bool ids = array->GetDataType() == VTK_ID_TYPE || array == from->GetPedigreeIds();
+      return ids ? nullptr : carried.Array(array, false); // normals are CarryNormals'
     });
 }
 
@@ -565,7 +526,6 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   this->CarryPoints(mesh, split, *result, output);
 
   vtkCellData* from = mesh->GetCellData();
-  vtkCellData* to = output->GetCellData();
   vtkDataArray* cells =
     RequireArray(last->GetCellData(), "OriginalCell", 1, last->GetNumberOfPolys(), "remeshed mesh", remedy);
   std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? split.Triangles.size() : 0);
@@ -573,11 +533,7 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   {
     sources[t] = static_cast<vtkIdType>(cells->GetComponent(static_cast<vtkIdType>(t), 0));
   }
-  to->CopyAllocate(from, static_cast<vtkIdType>(sources.size()));
-  EachRun(
-    sources,
-    [&](vtkIdType first, vtkIdType length, vtkIdType source) { to->CopyData(from, first, length, source); },
-    [](vtkIdType) {});
+  CopyElements(from, sources, output->GetCellData());
   output->GetFieldData()->ShallowCopy(mesh->GetFieldData());
   this->CarryNormals(mesh, split, *result, output);
   return split.Vertices;

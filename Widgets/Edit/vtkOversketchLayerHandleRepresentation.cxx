@@ -7,6 +7,7 @@
 #include "region_patch.h"
 
 #include "Mesh/context.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -71,7 +72,6 @@ void vtkOversketchLayerHandleRepresentation::Internals::layOut(PatchSide side)
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> polygons;
     vtkNew<vtkFloatArray> byShare, byDisc;
     byShare->SetName("ByShare");
     byDisc->SetName("ByDisc");
@@ -85,12 +85,8 @@ void vtkOversketchLayerHandleRepresentation::Internals::layOut(PatchSide side)
       byShare->InsertNextTuple2(this->patch->shares()[i], 0.5);
       byDisc->InsertNextTuple2(0.5 * (disc.points[i][0] + 1.0), 0.5 * (disc.points[i][1] + 1.0));
     }
-    for (const Triangle& t : mesh.triangles)
-    {
-      polygons->InsertNextCell({ t[0], t[1], t[2] });
-    }
     this->greys->SetPoints(points);
-    this->greys->SetPolys(polygons);
+    this->greys->SetPolys(CellsOf(mesh.triangles));
     this->greys->GetPointData()->AddArray(byShare);
     this->greys->GetPointData()->AddArray(byDisc);
     this->greys->GetPointData()->SetActiveTCoords(this->display ? "ByDisc" : "ByShare");

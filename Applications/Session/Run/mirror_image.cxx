@@ -1,5 +1,7 @@
 #include "mirror_image.h"
 
+#include "vtkOversketchCarriedArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -177,14 +179,9 @@ void passArrays(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const Numb
   }
   else
   {
-    const auto count = static_cast<vtkIdType>(numbers.size());
     to->Initialize();
     to->CopyAllOn();
-    to->CopyAllocate(from, count);
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      to->CopyData(from, numbers[i], i);
-    }
+    oversketch::CopyElements(from, numbers, to);
   }
   if (to->GetNormals())
   {
