@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 
 namespace oversketch
 {
@@ -28,6 +29,13 @@ bool read(const std::string& word, Number& number)
 {
   const std::from_chars_result result = std::from_chars(word.data(), word.data() + word.size(), number);
   return result.ec == std::errc() && result.ptr == word.data() + word.size();
+}
+
+// The shortest text that is read as the number.
+std::string written(double number)
+{
+  char digits[32];
+  return { digits, std::to_chars(digits, std::end(digits), number, std::chars_format::general).ptr };
 }
 
 } // namespace
@@ -71,6 +79,60 @@ LayerList layerList(const std::string& text)
     }
   }
   return list;
+}
+
+std::string layerText(const LayerList& list)
+{
+  std::string text;
+  const auto add = [&](const std::string& word) { text += (text.empty() ? "" : "; ") + word; };
+  const auto addHandles = [&](const std::vector<LayerHandle>& handles)
+  {
+    for (const LayerHandle& handle : handles)
+    {
+      add("handle " + written(handle.rest) + ' ' + written(handle.place));
+    }
+  };
+  addHandles(list.handles);
+  for (const AreaLayers& area : list.areas)
+  {
+    add("area " + std::to_string(area.area) + (area.levels > 0 ? ' ' + std::to_string(area.levels) : ""));
+    addHandles(area.handles);
+  }
+  return text;
+}
+
+std::string layersOfAreas(const std::string& layers, int areas)
+{
+  LayerList list = layerList(layers);
+  list.areas.erase(
+    std::remove_if(
+      list.areas.begin(), list.areas.end(), [areas](const AreaLayers& area) { return area.area >= areas; }),
+    list.areas.end());
+  return layerText(list);
+}
+
+std::vector<LayerHandle>& handlesIn(LayerList& list, int area)
+{
+  if (area < 0)
+  {
+    return list.handles;
+  }
+  const auto known = std::find_if(
+    list.areas.begin(), list.areas.end(), [&](const AreaLayers& other) { return other.area == area; });
+  return known != list.areas.end() ? known->handles
+                                   : list.areas.emplace_back(AreaLayers{ area, 0, {} }).handles;
+}
+
+Layers layersOf(const LayerList& list, int area, int levels)
+{
+  for (const AreaLayers& own : list.areas)
+  {
+    if (own.area == area)
+    {
+      return Layers(own.levels > 0 ? own.levels : levels, own.handles.empty() ? list.handles : own.handles);
+    }
+  }
+  return Layers(levels, list.handles);
 }
 
 } // namespace oversketch

@@ -2,7 +2,6 @@
 
 #include "drawn_curve.h"
 #include "edit_overlay.h"
-#include "operation_rows.h"
 #include "pen_view.h"
 
 #include "Matrix/moved.h"

@@ -1,7 +1,8 @@
 #include "vtkOversketchAxisHandleWidget.h"
 
-#include "operation_rows.h"
 #include "vtkOversketchAxisHandleRepresentation.h"
+
+#include "Matrix/operations.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

@@ -1,7 +1,6 @@
 #include "vtkOversketchEditWidget.h"
 
 #include "edit_parts.h"
-#include "layer_text.h"
 #include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchAxisHandleRepresentation.h"
@@ -19,6 +18,7 @@
 #include "widget_events.h"
 
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"

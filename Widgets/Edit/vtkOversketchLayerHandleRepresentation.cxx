@@ -2,11 +2,11 @@
 
 #include "drawn_curve.h"
 #include "edit_overlay.h"
-#include "layer_text.h"
 #include "pen_view.h"
 #include "region_patch.h"
 
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"

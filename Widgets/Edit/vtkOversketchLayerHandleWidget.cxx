@@ -1,9 +1,9 @@
 #include "vtkOversketchLayerHandleWidget.h"
 
-#include "layer_text.h"
 #include "vtkOversketchLayerHandleRepresentation.h"
 
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
