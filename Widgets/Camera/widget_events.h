@@ -3,7 +3,10 @@
 #define oversketch_widgets_camera_widget_events_h
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
+#include "vtkCommand.h"
 #include "vtkWidgetCallbackMapper.h"
+
+#include <initializer_list>
 
 class vtkAbstractWidget;
 
@@ -24,6 +27,26 @@ struct HandCallbacks
 OVERSKETCHWIDGETSCAMERA_EXPORT void listenToHand(vtkWidgetCallbackMapper* mapper,
   vtkAbstractWidget* widget,
   const HandCallbacks& hand);
+
+// A widget hears, as long as it lives, what the hand does with another one, and of some further events.
+template <typename Widget>
+void listenTo(vtkObject* other,
+  Widget* widget,
+  void (Widget::*heard)(vtkObject*, unsigned long, void*),
+  std::initializer_list<unsigned long> further = {})
+{
+  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
+         vtkCommand::InteractionEvent,
+         vtkCommand::EndInteractionEvent,
+         vtkCommand::WidgetValueChangedEvent })
+  {
+    other->AddObserver(event, widget, heard);
+  }
+  for (const unsigned long event : further)
+  {
+    other->AddObserver(event, widget, heard);
+  }
+}
 
 } // namespace oversketch
 #endif

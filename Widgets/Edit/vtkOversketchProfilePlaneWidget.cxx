@@ -1,15 +1,13 @@
 #include "vtkOversketchProfilePlaneWidget.h"
 
+#include "hosted_system.h"
 #include "stroke_list.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchProfilePlaneRepresentation.h"
 #include "vtkOversketchProfilePlanes.h"
 #include "vtkOversketchProfileRepresentation.h"
-#include "vtkOversketchStepRunner.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
-
-#include "Mesh/context.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -143,33 +141,32 @@ bool vtkOversketchProfilePlaneWidget::Cut()
 {
   Internals& inner = *this->Inner;
   PlanesShown* shown = this->GetProfilePlaneRepresentation();
-  std::string message;
+  Message message;
   inner.flat->Initialize();
   inner.onModel->Initialize();
   vtkPolyData* planes = nullptr;
   if (inner.mesh->GetNumberOfPoints() > 0)
   {
     inner.planes->SetT(this->ProfileAt);
-    try
+    const auto [placed, aboutPlanes] = ranTold(inner.planes);
+    message = aboutPlanes;
+    if (placed)
     {
-      StepRunner::Listener listener;
-      listener.warning = [&](const Message& warning) { message = warning.text(); };
-      StepRunner(inner.planes, listener).Run();
       planes = inner.planes->GetOutput();
-      StepRunner(inner.section, listener).Run();
-      inner.flat->ShallowCopy(inner.section->GetOutput());
-      inner.onModel->ShallowCopy(inner.section->GetSectionOutput());
-    }
-    catch (const Error& error)
-    {
-      message = error.what();
+      const auto [cut, aboutSection] = ranTold(inner.section);
+      message = aboutSection.empty() ? message : aboutSection;
+      if (cut)
+      {
+        inner.flat->ShallowCopy(inner.section->GetOutput());
+        inner.onModel->ShallowCopy(inner.section->GetSectionOutput());
+      }
     }
   }
   this->ShowSection(planes);
   shown->SetText("");
   if (!message.empty())
   {
-    this->Tell(message);
+    this->Tell(message.text());
   }
   this->ShowProfile();
   return inner.flat->GetNumberOfPoints() > 0;
