@@ -13,6 +13,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchCameraWidget);
+oversketchRepresentationMacro(Camera);
 
 namespace
 {
@@ -40,20 +41,6 @@ void vtkOversketchCameraWidget::SetRepresentation(vtkOversketchCameraRepresentat
 {
   this->Stop();
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchCameraRepresentation* vtkOversketchCameraWidget::GetCameraRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchCameraRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchCameraWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchCameraRepresentation::New();
-  }
 }
 
 void vtkOversketchCameraWidget::SetEnabled(int enabling)

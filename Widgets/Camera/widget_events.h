@@ -49,4 +49,20 @@ void listenTo(vtkObject* other,
 }
 
 } // namespace oversketch
+
+// The two methods of a widget that give the representation it is named after: a new one where there is none.
+#define oversketchRepresentationMacro(Name)                                                                  \
+  vtkOversketch##Name##Representation* vtkOversketch##Name##Widget::Get##Name##Representation()              \
+  {                                                                                                          \
+    this->CreateDefaultRepresentation();                                                                     \
+    return static_cast<vtkOversketch##Name##Representation*>(this->WidgetRep);                               \
+  }                                                                                                          \
+  void vtkOversketch##Name##Widget::CreateDefaultRepresentation()                                            \
+  {                                                                                                          \
+    if (!this->WidgetRep)                                                                                    \
+    {                                                                                                        \
+      this->WidgetRep = vtkOversketch##Name##Representation::New();                                          \
+    }                                                                                                        \
+  }
+
 #endif

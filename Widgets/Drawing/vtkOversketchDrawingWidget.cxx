@@ -41,6 +41,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchDrawingWidget);
+oversketchRepresentationMacro(Drawing);
 
 struct vtkOversketchDrawingWidget::Internals
 {
@@ -384,20 +385,6 @@ void vtkOversketchDrawingWidget::SetRepresentation(vtkOversketchDrawingRepresent
 {
   this->SetWidgetRepresentation(representation);
   this->SetPicture(this->Inner->picture);
-}
-
-vtkOversketchDrawingRepresentation* vtkOversketchDrawingWidget::GetDrawingRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchDrawingRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchDrawingWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchDrawingRepresentation::New();
-  }
 }
 
 void vtkOversketchDrawingWidget::SetEnabled(int enabling)

@@ -36,6 +36,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchEditWidget);
+oversketchRepresentationMacro(Edit);
 
 // Its widgets, those over the model in the order of the modes, and the system that they are of.
 struct vtkOversketchEditWidget::Internals : HostedSystem
@@ -517,20 +518,6 @@ void vtkOversketchEditWidget::Key(vtkAbstractWidget* widget)
 void vtkOversketchEditWidget::SetRepresentation(vtkOversketchEditRepresentation* representation)
 {
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchEditRepresentation* vtkOversketchEditWidget::GetEditRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchEditRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchEditWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchEditRepresentation::New();
-  }
 }
 
 void vtkOversketchEditWidget::SetEnabled(int enabling)

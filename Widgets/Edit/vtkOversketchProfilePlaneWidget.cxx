@@ -8,6 +8,7 @@
 #include "vtkOversketchProfileRepresentation.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -30,6 +31,7 @@ using namespace oversketch;
 using PlanesShown = vtkOversketchProfilePlaneRepresentation;
 
 vtkStandardNewMacro(vtkOversketchProfilePlaneWidget);
+oversketchRepresentationMacro(ProfilePlane);
 
 struct vtkOversketchProfilePlaneWidget::Internals
 {
@@ -412,20 +414,6 @@ void vtkOversketchProfilePlaneWidget::SetRepresentation(
   this->SetWidgetRepresentation(representation);
   this->ShowRegion();
   this->Cut();
-}
-
-vtkOversketchProfilePlaneRepresentation* vtkOversketchProfilePlaneWidget::GetProfilePlaneRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<PlanesShown*>(this->WidgetRep);
-}
-
-void vtkOversketchProfilePlaneWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = PlanesShown::New();
-  }
 }
 
 void vtkOversketchProfilePlaneWidget::PrintSelf(ostream& os, vtkIndent indent)

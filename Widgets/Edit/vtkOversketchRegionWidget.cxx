@@ -5,6 +5,7 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRegionRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
 #include "Mesh/context.h"
 
@@ -30,6 +31,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchRegionWidget);
+oversketchRepresentationMacro(Region);
 
 struct vtkOversketchRegionWidget::Internals
 {
@@ -346,20 +348,6 @@ void vtkOversketchRegionWidget::SetRepresentation(vtkOversketchRegionRepresentat
 {
   this->SetWidgetRepresentation(representation);
   this->ShowCurves(nullptr, nullptr);
-}
-
-vtkOversketchRegionRepresentation* vtkOversketchRegionWidget::GetRegionRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchRegionRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchRegionWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchRegionRepresentation::New();
-  }
 }
 
 void vtkOversketchRegionWidget::PrintSelf(ostream& os, vtkIndent indent)

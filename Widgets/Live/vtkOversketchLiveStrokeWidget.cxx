@@ -5,6 +5,7 @@
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 #include "vtkOversketchSystem.h"
+#include "widget_events.h"
 
 #include "vtkCommand.h"
 #include "vtkPoints.h"
@@ -14,6 +15,8 @@
 #include "vtkRenderer.h"
 
 #include <string>
+
+oversketchRepresentationMacro(LiveStroke);
 
 // The stroke that can still be changed, and the mesh that it made of the base.
 struct vtkOversketchLiveStrokeWidget::Internals : oversketch::HostedSystem
@@ -281,20 +284,6 @@ void vtkOversketchLiveStrokeWidget::SetShowRegion(bool show)
 void vtkOversketchLiveStrokeWidget::SetRepresentation(vtkOversketchLiveStrokeRepresentation* representation)
 {
   this->Superclass::SetRepresentation(representation);
-}
-
-vtkOversketchLiveStrokeRepresentation* vtkOversketchLiveStrokeWidget::GetLiveStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchLiveStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchLiveStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchLiveStrokeRepresentation::New();
-  }
 }
 
 void vtkOversketchLiveStrokeWidget::SetEnabled(int enabling)

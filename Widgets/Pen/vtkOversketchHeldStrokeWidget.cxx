@@ -21,6 +21,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchHeldStrokeWidget);
+oversketchRepresentationMacro(HeldStroke);
 
 struct vtkOversketchHeldStrokeWidget::Internals
 {
@@ -101,20 +102,6 @@ void vtkOversketchHeldStrokeWidget::SetRepresentation(vtkOversketchHeldStrokeRep
   this->EndMove(false);
   this->SetWidgetRepresentation(representation);
   this->Refresh();
-}
-
-vtkOversketchHeldStrokeRepresentation* vtkOversketchHeldStrokeWidget::GetHeldStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchHeldStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchHeldStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchHeldStrokeRepresentation::New();
-  }
 }
 
 void vtkOversketchHeldStrokeWidget::SetEnabled(int enabling)

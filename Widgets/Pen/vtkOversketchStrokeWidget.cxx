@@ -24,6 +24,7 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchStrokeWidget);
+oversketchRepresentationMacro(Stroke);
 
 namespace
 {
@@ -59,20 +60,6 @@ void vtkOversketchStrokeWidget::SetRepresentation(vtkOversketchStrokeRepresentat
 {
   this->DropDrawing();
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchStrokeRepresentation* vtkOversketchStrokeWidget::GetStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchStrokeRepresentation::New();
-  }
 }
 
 void vtkOversketchStrokeWidget::SetEnabled(int enabling)
