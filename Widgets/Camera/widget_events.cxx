@@ -3,6 +3,7 @@
 #include "vtkAbstractWidget.h"
 #include "vtkCommand.h"
 #include "vtkEvent.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkWidgetEvent.h"
 
 namespace oversketch
@@ -44,6 +45,12 @@ void listenToHand(vtkWidgetCallbackMapper* mapper, vtkAbstractWidget* widget, co
   {
     mapper->SetCallbackMethod(event, vtkWidgetEvent::ModifyEvent, widget, swallow);
   }
+}
+
+std::string keyOf(vtkRenderWindowInteractor* interactor)
+{
+  const char* key = interactor->GetKeySym();
+  return key ? key : "";
 }
 
 } // namespace oversketch

@@ -7,8 +7,10 @@
 #include "vtkWidgetCallbackMapper.h"
 
 #include <initializer_list>
+#include <string>
 
 class vtkAbstractWidget;
+class vtkRenderWindowInteractor;
 
 namespace oversketch
 {
@@ -27,6 +29,9 @@ struct HandCallbacks
 OVERSKETCHWIDGETSCAMERA_EXPORT void listenToHand(vtkWidgetCallbackMapper* mapper,
   vtkAbstractWidget* widget,
   const HandCallbacks& hand);
+
+// The key of an interactor's event; empty where it has none.
+OVERSKETCHWIDGETSCAMERA_EXPORT std::string keyOf(vtkRenderWindowInteractor* interactor);
 
 // A widget hears, as long as it lives, what the hand does with another one, and of some further events.
 template <typename Widget>

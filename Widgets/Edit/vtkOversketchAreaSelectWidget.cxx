@@ -71,10 +71,7 @@ vtkOversketchAreaSelectWidget::vtkOversketchAreaSelectWidget()
   this->Inner->port->SetOutput(this->Areas);
 }
 
-vtkOversketchAreaSelectWidget::~vtkOversketchAreaSelectWidget()
-{
-  this->PutPenDown();
-}
+vtkOversketchAreaSelectWidget::~vtkOversketchAreaSelectWidget() = default;
 
 vtkAlgorithmOutput* vtkOversketchAreaSelectWidget::GetAreasPort()
 {

@@ -501,7 +501,7 @@ void vtkOversketchEditWidget::SetShowRegion(bool show)
 void vtkOversketchEditWidget::Key(vtkAbstractWidget* widget)
 {
   const vtkSmartPointer<vtkOversketchEditWidget> self(static_cast<vtkOversketchEditWidget*>(widget));
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const std::string key = oversketch::keyOf(self->Interactor);
   if ((key == "Return" || key == "KP_Enter") && self->Inner->acted())
   {
     self->EventCallbackCommand->SetAbortFlag(1);

@@ -140,7 +140,7 @@ void vtkOversketchGripWidget::Release(vtkAbstractWidget* widget)
 void vtkOversketchGripWidget::Key(vtkAbstractWidget* widget)
 {
   const vtkSmartPointer<vtkOversketchGripWidget> self(grips(widget));
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const std::string key = oversketch::keyOf(self->Interactor);
   bool used = self->Dragging;
   if (self->Dragging)
   {

@@ -44,6 +44,7 @@ struct vtkOversketchProfilePlaneWidget::Internals
   vtkNew<vtkOversketchProfileRepresentation> profile;
   vtkWeakPointer<vtkRenderer> window;
   vtkWeakPointer<vtkRenderWindowInteractor> heard;
+  unsigned long keyTag = 0;
 };
 
 namespace
@@ -87,25 +88,12 @@ vtkOversketchProfilePlaneWidget::vtkOversketchProfilePlaneWidget()
   inner.section->SetBoundaryData(inner.boundary);
   inner.section->SetPlanesConnection(inner.planes->GetOutputPort());
   this->Pen->CommitOnReleaseOff();
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkOversketchProfilePlaneWidget*>(self)->TakeStroke(); });
-  this->Pen->AddObserver(vtkCommand::WidgetValueChangedEvent, this->PenObserver);
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback(
-    [](vtkObject* from, unsigned long, void* self, void*)
-    {
-      const char* key = static_cast<vtkRenderWindowInteractor*>(from)->GetKeySym();
-      if (key && std::string(key) == "Escape")
-      {
-        static_cast<vtkOversketchProfilePlaneWidget*>(self)->TakeBack();
-      }
-    });
+  this->Pen->AddObserver(
+    vtkCommand::WidgetValueChangedEvent, this, &vtkOversketchProfilePlaneWidget::TakeStroke);
 }
 
 vtkOversketchProfilePlaneWidget::~vtkOversketchProfilePlaneWidget()
 {
-  this->Pen->RemoveObserver(this->PenObserver);
   this->vtkOversketchProfilePlaneWidget::SetEnabled(0);
   this->vtkOversketchProfilePlaneWidget::SetProfileRenderer(nullptr);
 }
@@ -282,7 +270,7 @@ void vtkOversketchProfilePlaneWidget::SetProfileRenderer(vtkRenderer* renderer)
   this->Pen->SetEnabled(0);
   if (inner.heard)
   {
-    inner.heard->RemoveObserver(this->KeyObserver);
+    inner.heard->RemoveObserver(inner.keyTag);
   }
   if (inner.window)
   {
@@ -297,7 +285,11 @@ void vtkOversketchProfilePlaneWidget::SetProfileRenderer(vtkRenderer* renderer)
   {
     renderer->AddViewProp(inner.profile);
     inner.profile->ResetView();
-    inner.heard->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver, 0.4f); // after the pen
+    inner.keyTag = inner.heard->AddObserver( // after the pen
+      vtkCommand::KeyPressEvent,
+      this,
+      &vtkOversketchProfilePlaneWidget::TakeBack,
+      0.4f);
     this->Pen->SetInteractor(inner.heard);
     this->Pen->SetDefaultRenderer(renderer);
     this->Pen->SetCurrentRenderer(renderer);
@@ -345,7 +337,8 @@ void vtkOversketchProfilePlaneWidget::TakeBack()
 {
   const vtkSmartPointer<vtkOversketchProfilePlaneWidget> alive(this); // an observer may let go of it
   std::vector<vtkSmartPointer<vtkPolyData>> strokes = strokesOf(this->Profile);
-  if (this->Enabled && !strokes.empty() && !this->Pen->IsDrawing() && !this->Pen->IsWaiting())
+  if (oversketch::keyOf(this->Inner->heard) == "Escape" && this->Enabled && !strokes.empty() &&
+      !this->Pen->IsDrawing() && !this->Pen->IsWaiting())
   {
     strokes.pop_back();
     putInto(this->Profile, strokes);

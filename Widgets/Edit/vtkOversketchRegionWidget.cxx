@@ -126,10 +126,7 @@ vtkOversketchRegionWidget::vtkOversketchRegionWidget()
   this->CallbackMapper->SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, Hover);
 }
 
-vtkOversketchRegionWidget::~vtkOversketchRegionWidget()
-{
-  this->PutPenDown();
-}
+vtkOversketchRegionWidget::~vtkOversketchRegionWidget() = default;
 
 vtkAlgorithmOutput* vtkOversketchRegionWidget::GetReferencePort()
 {

@@ -44,23 +44,14 @@ vtkOversketchHeldStrokeWidget::vtkOversketchHeldStrokeWidget()
   this->KeyPressActivationOff();
   this->Priority = 0.55f; // before the pen, after the camera's controls
   oversketch::listenToHand(this->CallbackMapper, this, { Press, MoveTo, Release, Key, Forward, Backward });
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<vtkOversketchHeldStrokeWidget*>(self)->Heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
-  {
-    this->Pen->AddObserver(event, this->PenObserver);
-  }
+  oversketch::listenTo(this->Pen.Get(),
+    this,
+    &vtkOversketchHeldStrokeWidget::Heard,
+    { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent });
 }
 
 vtkOversketchHeldStrokeWidget::~vtkOversketchHeldStrokeWidget()
 {
-  this->Pen->RemoveObserver(this->PenObserver);
   this->vtkOversketchHeldStrokeWidget::SetEnabled(0);
   this->Pen->SetInteractor(nullptr);
 }
@@ -139,7 +130,7 @@ void vtkOversketchHeldStrokeWidget::Refresh()
   }
 }
 
-void vtkOversketchHeldStrokeWidget::Heard(unsigned long event)
+void vtkOversketchHeldStrokeWidget::Heard(vtkObject*, unsigned long event, void*)
 {
   const vtkSmartPointer<vtkOversketchHeldStrokeWidget> alive(this); // an observer may let go of it
   switch (event)
@@ -354,7 +345,7 @@ void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 {
   const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const std::string key = oversketch::keyOf(self->Interactor);
   bool used = self->Moving;
   if (self->Moving)
   {

@@ -309,7 +309,7 @@ void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
 {
   vtkOversketchStrokeWidget* self = cast(widget);
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const std::string key = oversketch::keyOf(self->Interactor);
   const bool drawing = self->IsDrawing();
   if (!drawing && !self->Waiting)
   {
