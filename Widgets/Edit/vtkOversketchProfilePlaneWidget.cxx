@@ -1,7 +1,8 @@
 #include "vtkOversketchProfilePlaneWidget.h"
 
+#include "drawn_curve.h"
 #include "hosted_system.h"
-#include "stroke_list.h"
+#include "pen_stroke.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchProfilePlaneRepresentation.h"
 #include "vtkOversketchProfilePlanes.h"
@@ -10,7 +11,7 @@
 #include "vtkOversketchStrokeWidget.h"
 #include "widget_events.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
@@ -53,26 +54,16 @@ namespace
 // The box of a region, all of a mesh where it says nothing.
 void boxOf(vtkPolyData* mesh, double box[6])
 {
-  mesh->GetBounds(box);
   vtkDataArray* labels = mesh->GetPointData()->GetArray("EditRegion");
-  double inner[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  vtkBoundingBox region;
   for (vtkIdType i = 0; labels && i < mesh->GetNumberOfPoints(); ++i)
   {
     if (labels->GetComponent(i, 0) > 0.0)
     {
-      const double* p = mesh->GetPoint(i);
-      const bool first = inner[0] > inner[1];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        inner[2 * axis] = first ? p[axis] : std::min(inner[2 * axis], p[axis]);
-        inner[2 * axis + 1] = first ? p[axis] : std::max(inner[2 * axis + 1], p[axis]);
-      }
+      region.AddPoint(mesh->GetPoint(i));
     }
   }
-  if (inner[0] <= inner[1])
-  {
-    std::copy_n(inner, 6, box);
-  }
+  region.IsValid() ? region.GetBounds(box) : mesh->GetBounds(box);
 }
 
 } // namespace

@@ -4,8 +4,6 @@
 #include "edit_overlay.h"
 #include "pen_view.h"
 
-#include "Mesh/context.h"
-
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
@@ -52,20 +50,10 @@ void vtkOversketchRegionRepresentation::SetBoundary(vtkPolyData* ring)
 
 double vtkOversketchRegionRepresentation::DistanceTo(int curve, double x, double y)
 {
-  if (!this->Renderer || (curve != Reference && curve != Boundary))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const int* origin = this->Renderer->GetOrigin();
-  try
-  {
-    return this->Inner->distance(
-      PenView::of(this->Renderer).kernelView(), curve, Vector2(x - origin[0], y - origin[1]));
-  }
-  catch (const Error&)
-  {
-    return std::numeric_limits<double>::infinity(); // a camera that sees nothing
-  }
+  const bool isCurve = curve == Reference || curve == Boundary;
+  const auto view = this->Renderer && isCurve ? PenView::of(this->Renderer).sight() : std::nullopt;
+  return view ? this->Inner->distance(*view, curve, inViewport(this->Renderer, x, y))
+              : std::numeric_limits<double>::infinity();
 }
 
 int vtkOversketchRegionRepresentation::FindGrip(const View& view, double x, double y)
