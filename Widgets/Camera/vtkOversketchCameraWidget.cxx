@@ -10,8 +10,6 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
-#include <string>
-
 vtkStandardNewMacro(vtkOversketchCameraWidget);
 oversketchRepresentationMacro(Camera);
 
@@ -128,8 +126,7 @@ void vtkOversketchCameraWidget::Key(vtkAbstractWidget* widget)
   }
   self->EventCallbackCommand->SetAbortFlag(1);
   vtkOversketchInteractorStyle* style = self->GetCameraRepresentation()->GetStyle();
-  const char* key = self->Interactor->GetKeySym();
-  if (style && key && std::string(key) == "Escape")
+  if (style && oversketch::keyOf(self->Interactor) == "Escape")
   {
     style->SetSpin(self->Spin);
     style->SetZoom(self->Zoom);
