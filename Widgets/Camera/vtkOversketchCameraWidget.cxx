@@ -13,16 +13,6 @@
 vtkStandardNewMacro(vtkOversketchCameraWidget);
 oversketchRepresentationMacro(Camera);
 
-namespace
-{
-
-vtkOversketchCameraWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchCameraWidget*>(widget);
-}
-
-} // namespace
-
 vtkOversketchCameraWidget::vtkOversketchCameraWidget()
 {
   this->KeyPressActivationOff();
@@ -63,7 +53,7 @@ void vtkOversketchCameraWidget::Stop()
 
 void vtkOversketchCameraWidget::Press(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
   const int* at = self->Interactor->GetEventPosition();
   const int what = controls->ComputeInteractionState(at[0], at[1]);
@@ -87,7 +77,7 @@ void vtkOversketchCameraWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Move(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
   vtkOversketchInteractorStyle* style = self->Dragging ? controls->GetStyle() : nullptr;
   if (!style)
@@ -109,7 +99,7 @@ void vtkOversketchCameraWidget::Move(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Release(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   if (self->Dragging)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
@@ -119,7 +109,7 @@ void vtkOversketchCameraWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Key(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   if (!self->Dragging)
   {
     return;

@@ -4,6 +4,7 @@
 #include "vtkCommand.h"
 #include "vtkEvent.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkWidgetEvent.h"
 
 namespace oversketch
@@ -45,6 +46,13 @@ void listenToHand(vtkWidgetCallbackMapper* mapper, vtkAbstractWidget* widget, co
   {
     mapper->SetCallbackMethod(event, vtkWidgetEvent::ModifyEvent, widget, swallow);
   }
+}
+
+void workIn(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, vtkAbstractWidget* widget)
+{
+  widget->SetInteractor(interactor);
+  widget->SetDefaultRenderer(renderer);
+  widget->SetCurrentRenderer(renderer);
 }
 
 std::string keyOf(vtkRenderWindowInteractor* interactor)

@@ -4,6 +4,7 @@
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
 #include "vtkCommand.h"
+#include "vtkSmartPointer.h"
 #include "vtkWidgetCallbackMapper.h"
 
 #include <initializer_list>
@@ -11,6 +12,7 @@
 
 class vtkAbstractWidget;
 class vtkRenderWindowInteractor;
+class vtkRenderer;
 
 namespace oversketch
 {
@@ -29,6 +31,18 @@ struct HandCallbacks
 OVERSKETCHWIDGETSCAMERA_EXPORT void listenToHand(vtkWidgetCallbackMapper* mapper,
   vtkAbstractWidget* widget,
   const HandCallbacks& hand);
+
+// The widget that a callback is called for, kept while that runs: an observer may let go of it.
+template <typename Widget>
+vtkSmartPointer<Widget> called(vtkAbstractWidget* widget)
+{
+  return static_cast<Widget*>(widget);
+}
+
+// A widget is to work in a renderer, by an interactor.
+OVERSKETCHWIDGETSCAMERA_EXPORT void workIn(vtkRenderer* renderer,
+  vtkRenderWindowInteractor* interactor,
+  vtkAbstractWidget* widget);
 
 // The key of an interactor's event; empty where it has none.
 OVERSKETCHWIDGETSCAMERA_EXPORT std::string keyOf(vtkRenderWindowInteractor* interactor);

@@ -67,11 +67,6 @@ namespace
 constexpr double clickLength = 3.0; // px
 constexpr double notch = 1.15;      // zoom of a notch of the wheel
 
-vtkOversketchDrawingWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchDrawingWidget*>(widget);
-}
-
 // Farthest that a stroke goes from its first sample [px].
 double extentOf(vtkPolyData* stroke)
 {
@@ -460,7 +455,7 @@ bool vtkOversketchDrawingWidget::TakeStroke(vtkPolyData* stroke, bool over)
 
 void vtkOversketchDrawingWidget::PanBegins(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
   if (!self->GetPen()->IsDrawing() && self->CurrentRenderer &&
       self->CurrentRenderer->IsInViewport(at[0], at[1]))
@@ -474,7 +469,7 @@ void vtkOversketchDrawingWidget::PanBegins(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   if (self->Panning)
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -487,7 +482,7 @@ void vtkOversketchDrawingWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::PanEnds(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   if (self->Panning)
   {
     MoveTo(widget);
@@ -499,12 +494,12 @@ void vtkOversketchDrawingWidget::PanEnds(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::Forward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Zoom(notch);
+  oversketch::called<vtkOversketchDrawingWidget>(widget)->Zoom(notch);
 }
 
 void vtkOversketchDrawingWidget::Backward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Zoom(1.0 / notch);
+  oversketch::called<vtkOversketchDrawingWidget>(widget)->Zoom(1.0 / notch);
 }
 
 void vtkOversketchDrawingWidget::Zoom(double factor)

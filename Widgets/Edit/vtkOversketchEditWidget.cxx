@@ -432,9 +432,7 @@ void vtkOversketchEditWidget::TakeUp()
       {
         if (held)
         {
-          widgets[i]->SetInteractor(this->Interactor);
-          widgets[i]->SetDefaultRenderer(this->CurrentRenderer);
-          widgets[i]->SetCurrentRenderer(this->CurrentRenderer);
+          workIn(this->CurrentRenderer, this->Interactor, widgets[i]);
         }
         widgets[i]->SetEnabled(held);
       }
@@ -500,7 +498,7 @@ void vtkOversketchEditWidget::SetShowRegion(bool show)
 
 void vtkOversketchEditWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchEditWidget> self(static_cast<vtkOversketchEditWidget*>(widget));
+  const auto self = oversketch::called<vtkOversketchEditWidget>(widget);
   const std::string key = oversketch::keyOf(self->Interactor);
   if ((key == "Return" || key == "KP_Enter") && self->Inner->acted())
   {

@@ -281,9 +281,7 @@ void vtkOversketchProfilePlaneWidget::SetProfileRenderer(vtkRenderer* renderer)
       this,
       &vtkOversketchProfilePlaneWidget::TakeBack,
       0.4f);
-    this->Pen->SetInteractor(inner.heard);
-    this->Pen->SetDefaultRenderer(renderer);
-    this->Pen->SetCurrentRenderer(renderer);
+    workIn(renderer, inner.heard, this->Pen);
   }
   this->ReadyPen();
 }

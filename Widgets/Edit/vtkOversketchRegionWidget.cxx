@@ -295,7 +295,7 @@ void vtkOversketchRegionWidget::ShowText(const std::string& text)
 
 void vtkOversketchRegionWidget::Hover(vtkAbstractWidget* widget)
 {
-  auto* self = static_cast<vtkOversketchRegionWidget*>(widget);
+  const auto self = oversketch::called<vtkOversketchRegionWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
   vtkOversketchRegionRepresentation* shown = self->GetRegionRepresentation();
   const int grip = self->Interactor->GetShiftKey() && self->CurrentRenderer &&

@@ -11,16 +11,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
-namespace
-{
-
-vtkOversketchCurvePenWidget* curvePen(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchCurvePenWidget*>(widget);
-}
-
-} // namespace
-
 vtkOversketchCurvePenWidget::vtkOversketchCurvePenWidget()
 {
   this->KeyPressActivationOff();
@@ -51,9 +41,7 @@ void vtkOversketchCurvePenWidget::SetEnabled(int enabling)
   this->Superclass::SetEnabled(enabling);
   if (!before && this->Enabled)
   {
-    this->Pen->SetInteractor(this->Interactor);
-    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
-    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
+    oversketch::workIn(this->CurrentRenderer, this->Interactor, this->Pen);
     this->ReadyPen();
   }
 }
@@ -107,7 +95,7 @@ void vtkOversketchCurvePenWidget::Heard(vtkObject*, unsigned long event, void*)
 
 void vtkOversketchCurvePenWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchCurvePenWidget> self(curvePen(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchCurvePenWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
@@ -123,7 +111,7 @@ void vtkOversketchCurvePenWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchCurvePenWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchCurvePenWidget> self(curvePen(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchCurvePenWidget>(widget);
   const std::string key = oversketch::keyOf(self->Interactor);
   if (key == "Escape" && !self->Pen->IsDrawing() && !self->Pen->IsWaiting() && self->TakeBack())
   {

@@ -28,16 +28,6 @@ struct vtkOversketchHeldStrokeWidget::Internals
   oversketch::PenView seen; // at the last move of the cursor
 };
 
-namespace
-{
-
-vtkOversketchHeldStrokeWidget* held(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchHeldStrokeWidget*>(widget);
-}
-
-} // namespace
-
 vtkOversketchHeldStrokeWidget::vtkOversketchHeldStrokeWidget()
   : Inner(std::make_unique<Internals>())
 {
@@ -106,9 +96,7 @@ void vtkOversketchHeldStrokeWidget::SetEnabled(int enabling)
   this->Superclass::SetEnabled(enabling);
   if (!before && this->Enabled)
   {
-    this->Pen->SetInteractor(this->Interactor);
-    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
-    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
+    oversketch::workIn(this->CurrentRenderer, this->Interactor, this->Pen);
     this->Pen->SetEnabled(1);
   }
 }
@@ -257,7 +245,7 @@ void vtkOversketchHeldStrokeWidget::EndMove(bool keep)
 
 void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (self->Moving || from->GetControlKey() || from->GetAltKey() || !self->CurrentRenderer ||
@@ -309,7 +297,7 @@ void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
   if (!self->Moving)
   {
@@ -332,7 +320,7 @@ void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   if (self->Moving)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
@@ -344,7 +332,7 @@ void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   const std::string key = oversketch::keyOf(self->Interactor);
   bool used = self->Moving;
   if (self->Moving)
@@ -367,12 +355,12 @@ void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Forward(vtkAbstractWidget* widget)
 {
-  held(widget)->Wheel(1);
+  oversketch::called<vtkOversketchHeldStrokeWidget>(widget)->Wheel(1);
 }
 
 void vtkOversketchHeldStrokeWidget::Backward(vtkAbstractWidget* widget)
 {
-  held(widget)->Wheel(-1);
+  oversketch::called<vtkOversketchHeldStrokeWidget>(widget)->Wheel(-1);
 }
 
 void vtkOversketchHeldStrokeWidget::Wheel(int notches)

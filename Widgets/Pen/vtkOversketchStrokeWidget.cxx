@@ -31,11 +31,6 @@ namespace
 
 constexpr double backspaceLength = 20.0; // px
 
-vtkOversketchStrokeWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchStrokeWidget*>(widget);
-}
-
 } // namespace
 
 vtkOversketchStrokeWidget::vtkOversketchStrokeWidget()
@@ -270,7 +265,7 @@ void vtkOversketchStrokeWidget::Drop()
 
 void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (!from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
@@ -282,7 +277,7 @@ void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -293,7 +288,7 @@ void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -308,7 +303,7 @@ void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   const std::string key = oversketch::keyOf(self->Interactor);
   const bool drawing = self->IsDrawing();
   if (!drawing && !self->Waiting)
@@ -340,12 +335,12 @@ void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Forward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Wheel(vtkCommand::MouseWheelForwardEvent);
+  oversketch::called<vtkOversketchStrokeWidget>(widget)->Wheel(vtkCommand::MouseWheelForwardEvent);
 }
 
 void vtkOversketchStrokeWidget::Backward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Wheel(vtkCommand::MouseWheelBackwardEvent);
+  oversketch::called<vtkOversketchStrokeWidget>(widget)->Wheel(vtkCommand::MouseWheelBackwardEvent);
 }
 
 // It is not the camera's while the pen draws.
@@ -361,7 +356,7 @@ void vtkOversketchStrokeWidget::Wheel(unsigned long event)
 
 void vtkOversketchStrokeWidget::Resized(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing() && !self->GetStrokeRepresentation()->FitsRenderer())
   {
     self->CancelStroke();
