@@ -30,8 +30,8 @@ constexpr double longest = 0.015;  // of an outline's steps on the disc, to foll
 struct vtkOversketchAreaSelectRepresentation::Internals
 {
   std::unique_ptr<RegionPatch> patch;
-  std::vector<WorldLine> areas;                         // on the disc
-  std::vector<std::vector<std::vector<Vector3>>> lines; // of each area, pieces in the world
+  std::vector<WorldLine> areas;              // on the disc
+  std::vector<std::vector<WorldLine>> lines; // of each area, pieces in the world
   std::vector<std::array<Vector3, 2>> border;
   double box[6] = { -1.0, 1.0, -1.0, 1.0, 0.0, 0.0 };
 };
@@ -56,18 +56,18 @@ void vtkOversketchAreaSelectRepresentation::Follow()
     {
       Polyline outline = flat(area.points);
       outline.push_back(outline.front());
-      std::vector<std::vector<Vector3>> pieces(1);
+      std::vector<WorldLine> pieces(1);
       for (const Vector2& p : uniformPolyline(outline, longest))
       {
         if (const auto place = inner.patch->placeOf(side, p))
         {
-          pieces.back().push_back(*place);
+          pieces.back().points.push_back(*place);
         }
         else if (this->Side == Disc)
         {
-          pieces.back().emplace_back(p[0], p[1], 0.0);
+          pieces.back().points.emplace_back(p[0], p[1], 0.0);
         }
-        else if (!pieces.back().empty())
+        else if (!pieces.back().points.empty())
         {
           pieces.emplace_back();
         }
@@ -159,13 +159,7 @@ void vtkOversketchAreaSelectRepresentation::Paint(const View& view, Overlay& ove
   }
   for (std::size_t i = 0; i < inner.lines.size(); ++i)
   {
-    std::vector<Polyline> all;
-    for (const std::vector<Vector3>& line : inner.lines[i])
-    {
-      const std::vector<Polyline> seen = seenIn(view, line);
-      all.insert(all.end(), seen.begin(), seen.end());
-    }
-    overlay.rimmed(all, static_cast<int>(i) == this->Area ? 4.5 : 3.0, axisGreen);
+    overlay.rimmed(seenIn(view, inner.lines[i]), static_cast<int>(i) == this->Area ? 4.5 : 3.0, axisGreen);
   }
 }
 

@@ -49,7 +49,7 @@ struct vtkOversketchProfilePlaneRepresentation::Internals
   vtkNew<vtkActor> borderActor;
 
   // The corners of a plane: normals are outward, side and along.
-  std::array<Vector3, 4> cornersOf(int plane) const
+  std::vector<Vector3> cornersOf(int plane) const
   {
     const Vector3 u = this->half * this->axes[plane == B ? 1 : 0],
                   v = this->half * this->axes[plane == N ? 1 : 2];
@@ -182,8 +182,7 @@ int vtkOversketchProfilePlaneRepresentation::FindGrip(const View& view, double x
   {
     return B + 1;
   }
-  const auto corners = inner.cornersOf(B);
-  return this->GetPlaneVisibility(B) && near({ corners.begin(), corners.end() }, true) ? B + 1 : 0;
+  return this->GetPlaneVisibility(B) && near(inner.cornersOf(B), true) ? B + 1 : 0;
 }
 
 void vtkOversketchProfilePlaneRepresentation::Paint(const View& view, Overlay& overlay)
@@ -196,8 +195,7 @@ void vtkOversketchProfilePlaneRepresentation::Paint(const View& view, Overlay& o
   // A tint over all else, since what is half transparent would hang on the order that a scene is drawn in.
   for (const int plane : { N, T, B })
   {
-    const auto corners = inner.cornersOf(plane);
-    const std::vector<Polyline> square = seenIn(view, { corners.begin(), corners.end() });
+    const std::vector<Polyline> square = seenIn(view, inner.cornersOf(plane));
     if (this->GetPlaneVisibility(plane) && square.size() == 1 && square[0].size() == 4)
     {
       Colour tint = planeColours[plane];

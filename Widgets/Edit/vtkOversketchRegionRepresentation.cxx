@@ -75,12 +75,9 @@ void vtkOversketchRegionRepresentation::Paint(const View& view, Overlay& overlay
                                                            : 3.0) +
                            (isRim && !isThin ? 2.0 : 0.0);
       const Colour colour = isRim ? paperWhite : curve == Boundary ? sectionBlue : strokeRed;
-      for (const WorldLine& line : this->Inner->curves[curve - Reference])
+      for (const Polyline& piece : seenIn(view, this->Inner->curves[curve - Reference]))
       {
-        for (const Polyline& piece : seenIn(view, line.points, line.closed))
-        {
-          overlay.line(piece, width, colour);
-        }
+        overlay.line(piece, width, colour);
       }
     }
   }

@@ -53,6 +53,17 @@ std::vector<Polyline> seenIn(const View& view, const std::vector<Vector3>& line,
   return pieces;
 }
 
+std::vector<Polyline> seenIn(const View& view, const std::vector<WorldLine>& lines)
+{
+  std::vector<Polyline> seen;
+  for (const WorldLine& line : lines)
+  {
+    const std::vector<Polyline> pieces = seenIn(view, line.points, line.closed);
+    seen.insert(seen.end(), pieces.begin(), pieces.end());
+  }
+  return seen;
+}
+
 double distanceTo(const View& view, const std::vector<Vector3>& line, bool closed, const Vector2& place)
 {
   double least = std::numeric_limits<double>::infinity();

@@ -25,10 +25,12 @@ struct WorldLine
 };
 OVERSKETCHWIDGETSPEN_EXPORT std::vector<WorldLine> linesOf(vtkPolyData* lines);
 
-// A line in a view [px], in pieces where it passes behind the eye.
+// A line in a view [px], or several, in pieces where they pass behind the eye.
 OVERSKETCHWIDGETSPEN_EXPORT std::vector<Polyline> seenIn(const View& view,
   const std::vector<Vector3>& line,
   bool closed = false);
+OVERSKETCHWIDGETSPEN_EXPORT std::vector<Polyline> seenIn(const View& view,
+  const std::vector<WorldLine>& lines);
 
 // How far a place of the picture is from a line as it is seen [px]; infinite where none is seen.
 OVERSKETCHWIDGETSPEN_EXPORT double distanceTo(const View& view,

@@ -61,22 +61,16 @@ struct vtkOversketchStrokeRepresentation::Internals
   bool hasCrest() const { return this->crestLines->GetNumberOfLines() > 0; }
   void placeCrest(const PenView& from)
   {
-    std::vector<oversketch::Polyline> strong, thin;
-    if (const auto view = from.sight(); view && this->hasCrest())
+    std::vector<oversketch::WorldLine> strong, thin;
+    vtkDataArray* parts = this->crestLines->GetCellData()->GetArray("Part");
+    vtkIdType cell = 0;
+    for (const oversketch::WorldLine& line : linesOf(this->crestLines))
     {
-      vtkDataArray* parts = this->crestLines->GetCellData()->GetArray("Part");
-      vtkIdType cell = 0;
-      for (const oversketch::WorldLine& line : linesOf(this->crestLines))
-      {
-        const bool isStrong = !parts || parts->GetComponent(cell++, 0) == 0.0;
-        for (const oversketch::Polyline& piece : seenIn(*view, line.points, line.closed))
-        {
-          (isStrong ? strong : thin).push_back(piece);
-        }
-      }
+      (!parts || parts->GetComponent(cell++, 0) == 0.0 ? strong : thin).push_back(line);
     }
-    this->crest.setAll(strong);
-    this->feet.setAll(thin);
+    const auto view = from.sight();
+    this->crest.setAll(view ? seenIn(*view, strong) : std::vector<oversketch::Polyline>());
+    this->feet.setAll(view ? seenIn(*view, thin) : std::vector<oversketch::Polyline>());
     this->footProperty->DeepCopy(this->crestProperty);
     this->footProperty->SetLineWidth(0.5F * this->crestProperty->GetLineWidth());
   }
@@ -252,9 +246,13 @@ void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
   if (view && section)
   {
     vtkDataArray* places = section->GetPointData()->GetArray("Display");
-    const bool isPlaced = places && places->GetNumberOfComponents() == 2;
+    if (!places || places->GetNumberOfComponents() != 2)
+    {
+      this->Inner->section.setAll(seenIn(*view, linesOf(section)));
+      return;
+    }
     vtkNew<vtkIdList> ids;
-    for (vtkIdType line = 0; isPlaced && line < section->GetNumberOfLines(); ++line)
+    for (vtkIdType line = 0; line < section->GetNumberOfLines(); ++line)
     {
       section->GetLines()->GetCellAtId(line, ids);
       seen.emplace_back();
@@ -263,14 +261,6 @@ void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
         Vector2 place;
         places->GetTuple(id, place.data());
         seen.back().push_back(place);
-      }
-    }
-    for (const oversketch::WorldLine& line :
-      isPlaced ? std::vector<oversketch::WorldLine>() : linesOf(section))
-    {
-      for (const oversketch::Polyline& piece : seenIn(*view, line.points, line.closed))
-      {
-        seen.push_back(piece);
       }
     }
   }
