@@ -66,7 +66,7 @@ OperatedHandles handlesOf(const std::string& operations,
 // numbers to six digits.
 std::vector<Operation> operationsOf(const std::string& text);
 std::string operationText(const std::vector<Operation>& rows);
-// One of them for a person: "moved outward 0.1", "turned 54°".
+// Words for one of them: "moved outward 0.1", "turned 54°".
 std::string operationWords(const Operation& row);
 
 // The row of a handle's axis by a further amount: the same axis again changes its row, another one makes one,

@@ -39,12 +39,12 @@ public:
   // px from the viewport's lower left corner. A polygon is convex.
   void line(const Polyline& points, double width, const Colour& colour);
   void polygon(const Polyline& corners, const Colour& colour);
-  // With rims, which lie under all of them, so that they are seen before anything.
+  // Lines with rims, which lie under all of them, so that they are seen before anything.
   void rimmed(const std::vector<Polyline>& lines,
     double width,
     const Colour& colour,
     const Colour& rim = paperWhite);
-  // From orange at the first place to blue at the last, with a light rim: a profile's left and right.
+  // A profile: from orange at its first place to blue at its last, with a light rim.
   void profile(const std::vector<Polyline>& pieces, double width);
   void disc(const Vector2& centre, double radius, const Colour& colour);
   void knob(const Vector2& centre, double radius, const Colour& colour);

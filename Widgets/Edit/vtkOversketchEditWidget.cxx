@@ -38,7 +38,7 @@ using namespace oversketch;
 vtkStandardNewMacro(vtkOversketchEditWidget);
 oversketchRepresentationMacro(Edit);
 
-// Its widgets, those over the model in the order of the modes, and the system that they are of.
+// Widgets, those over the model in the order of the modes, and the system that they are of.
 struct vtkOversketchEditWidget::Internals : HostedSystem
 {
   vtkNew<vtkOversketchRegionWidget> region;

@@ -61,7 +61,7 @@ struct vtkOversketchLayerHandleRepresentation::Internals
   void place(PatchSide side);
   void paintRamp(const oversketch::Layers& layers);
   Vector3 knobOf(PatchSide side, const LayerHandle& handle) const;
-  // What is under a place of the window; a camera may see nothing.
+  // Place of the region under one of the window; none where a camera sees nothing.
   SurfaceHit under(vtkRenderer* renderer, PatchSide side, double x, double y) const
   {
     try
@@ -75,7 +75,7 @@ struct vtkOversketchLayerHandleRepresentation::Internals
       return {};
     }
   }
-  // The line of a handle.
+  // Line of a handle.
   std::vector<std::array<Vector3, 2>> lineOf(PatchSide side, const LayerHandle& handle) const
   {
     return this->patch->level(side, std::clamp(handle.place, nearCurve, 1.0 - nearCurve));

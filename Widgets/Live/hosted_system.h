@@ -32,14 +32,14 @@ public:
   HostedSystem(const HostedSystem&) = delete;
   HostedSystem& operator=(const HostedSystem&) = delete;
 
-  // What runs; one has to be set before anything else is asked. Its inputs are the widget's.
+  // The system that runs; one has to be set before anything else is asked. Its inputs are the widget's.
   vtkOversketchSystem* system() const { return this->System; }
   void setSystem(vtkOversketchSystem* system) { this->System = system; }
   void setSource(vtkAlgorithmOutput* source);
   void setSource(vtkPolyData* mesh);
   vtkAlgorithmOutput* outputPort();
   vtkPolyData* output() { return this->Output; }
-  // What the system runs on.
+  // The mesh that the system runs on.
   vtkPolyData* base() { return this->Base; }
 
   // Brings the source up to date. Another mesh of it is the base, and so is the output; returns whether.
@@ -55,7 +55,7 @@ public:
   void commit();
   void drop();
 
-  // What is to be said. Returns whether it is news: not empty, and in other words than before.
+  // Takes what is to be said. Returns whether it is news: not empty, and in other words than before.
   bool say(const Message& message);
   const Message& said() const { return this->Said; }
   const char* text() const { return this->Text.c_str(); }

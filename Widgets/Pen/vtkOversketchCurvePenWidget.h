@@ -59,7 +59,7 @@ protected:
   // The pen rests or is ready, by what is wanted now.
   void ReadyPen();
   void Tell(const std::string& message);
-  // What the pen does.
+  // Hears what the pen does.
   virtual void Heard(vtkObject* pen, unsigned long event, void* data);
   // Whether its stroke began with Shift.
   bool IsOver() const { return this->Over; }
