@@ -4,13 +4,13 @@
 #include "json_members.h"
 #include "mesh_file.h"
 
+#include "Shading/layer_list.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkNew.h"
 
 #include <cmath>
 #include <filesystem>
-#include <locale>
-#include <sstream>
 
 namespace oversketch_command
 {
@@ -24,20 +24,17 @@ namespace
 constexpr const char* adviceOfEdit = "see oversketch edit --help";
 constexpr int mostLevels = 256;       // vtkOversketchShadingLevels
 constexpr Json::ArrayIndex most = 64; // areas, vtkOversketchScanFill
-constexpr Json::ArrayIndex handles = 1000;
+constexpr Json::ArrayIndex mostHandles = 1000;
 
-// "handle 0.4 0.2; " for each of the member's entries.
-std::string handlesOf(const JsonReader& json)
+std::vector<oversketch::LayerHandle> handlesOf(const JsonReader& json)
 {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(17);
+  std::vector<oversketch::LayerHandle> handles;
   if (!json.has("handles"))
   {
-    return {};
+    return handles;
   }
   const Json::Value& list = json.get("handles");
-  if (!list.isArray() || list.size() > handles)
+  if (!list.isArray() || list.size() > mostHandles)
   {
     json.refuse("handles", std::string("is no list of at most 1000 pairs [from, to]; ") + adviceOfEdit);
   }
@@ -49,9 +46,9 @@ std::string handlesOf(const JsonReader& json)
       json.refuse(
         "handles", std::string("holds something that is no pair [from, to] of numbers; ") + adviceOfEdit);
     }
-    text << "handle " << pair[0].asDouble() << ' ' << pair[1].asDouble() << "; ";
+    handles.push_back({ pair[0].asDouble(), pair[1].asDouble() });
   }
-  return text.str();
+  return handles;
 }
 
 } // namespace
@@ -66,7 +63,7 @@ void readLayers(const std::string& path, Step& step)
   {
     step.values["Levels"] = json.integer("levels", 2, mostLevels);
   }
-  std::string text = handlesOf(json);
+  oversketch::LayerList layers{ handlesOf(json), {} };
   if (json.has("areas"))
   {
     const Json::Value& list = json.get("areas");
@@ -93,9 +90,8 @@ void readLayers(const std::string& path, Step& step)
           "stroke", "holds " + std::to_string(stroke->GetNumberOfCells()) + " cells; give one polyline");
       }
       all->AddInputData(stroke);
-      text += "area " + std::to_string(i);
-      text += area.has("levels") ? " " + std::to_string(area.integer("levels", 2, mostLevels)) : "";
-      text += "; " + handlesOf(area);
+      const int levels = area.has("levels") ? area.integer("levels", 2, mostLevels) : 0;
+      layers.areas.push_back({ static_cast<int>(i), levels, handlesOf(area) });
     }
     if (!list.empty())
     {
@@ -103,7 +99,7 @@ void readLayers(const std::string& path, Step& step)
       step.inputs["Areas"] = Lines(all->GetOutput());
     }
   }
-  step.values["Layers"] = text;
+  step.values["Layers"] = oversketch::layerText(layers);
 }
 
 } // namespace oversketch_command

@@ -1,6 +1,6 @@
 #include "vtkOversketchEditPipeline.h"
 
-#include "Shading/layers.h"
+#include "Shading/layer_list.h"
 #include "vtkOversketchEditCurves.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchHierarchy.h"

@@ -2,7 +2,7 @@
 
 #include "vtkOversketchFilterTools.h"
 
-#include "Shading/layers.h"
+#include "Shading/layer_list.h"
 #include "Shading/texels.h"
 #include "vtkOversketchEditRegion.h"
 #include "vtkOversketchShadingTools.h"

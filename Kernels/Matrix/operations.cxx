@@ -18,6 +18,8 @@ constexpr const char* howTo = "write \"move T AXIS LENGTH\", \"rotate T AXIS DEG
                               "FACTOR\", \"pin T\" or \"drag X Y\", "
                               "apart by semicolons, with T from 0 to 1 along the curve and AXIS t, w or n";
 
+constexpr double mostDegrees = 179.0, leastFactor = 0.05, mostFactor = 20.0; // of a hand
+
 struct NamedOperation : Operation
 {
   std::string name; // for messages
@@ -134,6 +136,22 @@ std::vector<NamedOperation> read(const std::string& operations)
   return result;
 }
 
+std::string textOf(const Operation& row)
+{
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << verbNames[static_cast<int>(row.verb)] << ' ' << (row.verb == Verb::Drag ? row.amount : row.t);
+  if (row.verb == Verb::Drag)
+  {
+    text << ' ' << row.up;
+  }
+  else if (row.verb != Verb::Pin)
+  {
+    text << ' ' << axisNames[row.axis] << ' ' << row.amount;
+  }
+  return text.str();
+}
+
 } // namespace
 
 std::vector<Operation> operationsOf(const std::string& text)
@@ -146,6 +164,74 @@ std::vector<Operation> operationsOf(const std::string& text)
     result.push_back(operation);
   }
   return result;
+}
+
+std::string operationWords(const Operation& row)
+{
+  static const char* const forward[] = { "along the line", "to the side", "outward" };
+  static const char* const backward[] = { "back along the line", "to the other side", "inward" };
+  std::ostringstream words;
+  words.imbue(std::locale::classic());
+  words.precision(2);
+  switch (row.verb)
+  {
+    case Verb::Move:
+      words << "moved " << (row.amount < 0.0 ? backward : forward)[row.axis] << ' ' << std::abs(row.amount);
+      break;
+    case Verb::Scale:
+      words << "scaled " << row.amount << " times";
+      break;
+    case Verb::Rotate:
+      words << "turned " << std::lround(row.amount) << "\u00b0";
+      break;
+    default:
+      break;
+  }
+  return words.str();
+}
+
+std::string operationText(const std::vector<Operation>& rows)
+{
+  std::string text;
+  for (const Operation& row : rows)
+  {
+    text += (text.empty() ? "" : "; ") + textOf(row);
+  }
+  return text;
+}
+
+void operate(std::vector<Operation>& rows, Verb verb, double t, int axis, double amount)
+{
+  const auto known = std::find_if(rows.begin(),
+    rows.end(),
+    [&](const Operation& row) { return row.verb == verb && row.t == t && row.axis == axis; });
+  Operation made{ verb, t, axis, verb == Verb::Scale ? 1.0 : 0.0 };
+  Operation& row = known != rows.end() ? *known : made;
+  row.amount = verb == Verb::Move    ? row.amount + amount
+               : verb == Verb::Scale ? std::clamp(row.amount * amount, leastFactor, mostFactor)
+                                     : std::clamp(row.amount + amount, -mostDegrees, mostDegrees);
+  if (known == rows.end())
+  {
+    const auto pin = std::find_if(rows.begin(),
+      rows.end(),
+      [&](const Operation& other) { return other.verb == Verb::Pin && other.t == t; });
+    pin != rows.end() ? void(*pin = made) : rows.push_back(made);
+  }
+}
+
+std::vector<double> handlePlaces(const std::vector<Operation>& rows)
+{
+  std::vector<double> places;
+  for (const Operation& row : rows)
+  {
+    if (row.verb != Verb::Drag)
+    {
+      places.push_back(row.t);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
 }
 
 OperatedHandles handlesOf(const std::string& operations,

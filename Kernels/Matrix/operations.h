@@ -1,4 +1,4 @@
-// What is done to handles along a curve, written as text.
+// What is done to handles along a curve, written as text, and as rows that a hand changes one by one.
 #ifndef oversketch_kernels_matrix_operations_h
 #define oversketch_kernels_matrix_operations_h
 
@@ -58,11 +58,24 @@ struct OperatedHandles
   std::vector<PlacedHandle> handles;
   Vector3 shift = Vector3::Zero(); // the sum of all drags [world]
 };
-// Operations as the text says them; throws alike, but for what frames and views refuse.
-std::vector<Operation> operationsOf(const std::string& text);
 OperatedHandles handlesOf(const std::string& operations,
   const std::function<CurveFrame(double t)>& frameAt,
   const std::function<Vector3(const Vector2& pixels)>& shiftOf = nullptr);
+
+// Operations as the text says them; throws alike, but for what frames and views refuse. And the text of some,
+// numbers to six digits.
+std::vector<Operation> operationsOf(const std::string& text);
+std::string operationText(const std::vector<Operation>& rows);
+// Words for one of them: "moved outward 0.1", "turned 54°".
+std::string operationWords(const Operation& row);
+
+// The row of a handle's axis by a further amount: the same axis again changes its row, another one makes one,
+// which takes the place of the handle's pin. A length and an angle add up, a factor multiplies; within what
+// is allowed: 179 degrees, factors from 0.05 to 20.
+void operate(std::vector<Operation>& rows, Verb verb, double t, int axis, double amount);
+
+// The places of handles, ascending, each once; a drag has none.
+std::vector<double> handlePlaces(const std::vector<Operation>& rows);
 
 // Adds what moves all of the curve alike: what falls from 1 at each handle's place to 0 at its neighbours'
 // sums up to 1 everywhere, so one handle with the shift at each place, at the middle where there is none.

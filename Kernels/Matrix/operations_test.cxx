@@ -77,6 +77,12 @@ TEST(Operations, ADragMovesAllOfTheCurve)
   expectRefused("drag 3 4 5", "Operation 1", "\"5\" is too much");
 }
 
+TEST(Operations, AreWrittenAsTheyAreRead)
+{
+  const std::string text = "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2; drag 12 -5";
+  EXPECT_EQ(operationText(operationsOf(text)), text);
+}
+
 TEST(Operations, WhatIsNoneIsNamed)
 {
   expectRefused(

@@ -1,9 +1,7 @@
-// Layers of grey between a reference curve and the boundary round it, the handles that pull at them, and both
-// as a text says them.
+// Layers of grey between a reference curve and the boundary round it, and the handles that pull at them.
 #ifndef oversketch_kernels_shading_layers_h
 #define oversketch_kernels_shading_layers_h
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -76,26 +74,6 @@ private:
 
 // The list for dragging one of its handles: all are where they are held, and it comes last.
 std::vector<LayerHandle> grasped(const std::vector<LayerHandle>& handles, int which);
-
-// An area with layers of its own.
-struct AreaLayers
-{
-  int area = 0;
-  int levels = 0;                   // 0: as many as the whole disc
-  std::vector<LayerHandle> handles; // none: those of the whole disc
-};
-
-struct LayerList
-{
-  std::vector<LayerHandle> handles;
-  std::vector<AreaLayers> areas; // each once, in the text's order
-};
-
-// "handle FROM TO" puts a handle on what lies at FROM by default and drags it to TO, both shares of the way
-// from the reference curve to the boundary; "area NUMBER [LEVELS]" begins an area's own, by the number of its
-// stroke from 0; with ";" between them: "handle 0.4 0.2; area 0 9; handle 0.4 0.6". Throws
-// Error(Failure::BadStroke) that quotes what is not understood.
-LayerList layerList(const std::string& text);
 
 } // namespace oversketch
 #endif

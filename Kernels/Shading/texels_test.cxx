@@ -6,7 +6,7 @@
 #include "Mesh/context.h"
 #include "Shading/fields.h"
 #include "Shading/flatten.h"
-#include "Shading/layers.h"
+#include "Shading/layer_list.h"
 
 #include <gtest/gtest.h>
 
@@ -158,6 +158,9 @@ TEST(LayerList, HandlesThenAreas)
   EXPECT_EQ(list.areas[0].handles[0].place, -2.0);
   EXPECT_EQ(list.areas[1].levels, 0);
   EXPECT_TRUE(list.areas[1].handles.empty());
+  EXPECT_EQ(layerText(list), "handle 0.4 0.2; handle 0.7 0.1; area 2 9; handle 0.3 -2; area 0");
+  const double third = 1.0 / 3.0; // to the bit
+  EXPECT_EQ(layerList(layerText({ { { third, third } }, {} })).handles.at(0).place, third);
   EXPECT_TRUE(layerList("").handles.empty());
   EXPECT_TRUE(layerList(" ; ;").areas.empty());
 }

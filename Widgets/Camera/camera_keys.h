@@ -2,7 +2,13 @@
 #ifndef oversketch_widgets_camera_camera_keys_h
 #define oversketch_widgets_camera_camera_keys_h
 
+#include "vtkNew.h"
+#include "vtkWeakPointer.h"
+
 #include <string>
+
+class vtkRenderer;
+class vtkTextActor;
 
 namespace oversketch
 {
@@ -34,6 +40,23 @@ CameraAction cameraAction(const std::string& keySymbol, bool shift);
 
 // What is shown on screen: the mode, and a line for each drag and key; at most 26 lines of 58 characters.
 std::string cameraHelp(bool drawing);
+
+// The list in a corner of a renderer, over what is drawn there.
+class KeyList
+{
+public:
+  KeyList();
+  ~KeyList();
+  KeyList(const KeyList&) = delete;
+  KeyList& operator=(const KeyList&) = delete;
+
+  // Null shows it nowhere.
+  void show(vtkRenderer* in, const std::string& text);
+
+private:
+  vtkNew<vtkTextActor> Actor;
+  vtkWeakPointer<vtkRenderer> In;
+};
 
 } // namespace oversketch
 #endif

@@ -12,6 +12,17 @@ class vtkRenderer;
 namespace oversketch
 {
 
+// The thesis's trackball, by which the mesh turns so that the picked point stays under the cursor.
+//
+// The smallest rotation about the centre that takes the picked point, which lies on the line `press`, to
+// where the line `now` meets the sphere through it: on the near or far side of the sphere as at the press, or
+// at the sphere's point nearest to the line where the line misses it. Identity when the picked point is the
+// centre. Lines point away from the viewer.
+Eigen::Quaterniond trackballTurn(const Eigen::Vector3d& centre,
+  const Eigen::Vector3d& picked,
+  const Line& press,
+  const Line& now);
+
 // How an upright camera turns when the hand moves by so much [heights of the view, up and to the right]:
 // about the world's axis that is up (1 for y, 2 for z) and its own right, half a turn for a height, and not
 // beyond the poles.

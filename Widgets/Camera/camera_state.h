@@ -3,16 +3,19 @@
 #define oversketch_widgets_camera_camera_state_h
 
 #include "OversketchWidgetsCameraModule.h" // For export macro
-#include "trackball.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
+
+#include <Eigen/Geometry>
 
 class vtkCamera;
 class vtkRenderer;
 
 namespace oversketch
 {
+
+using Line = Eigen::ParametrizedLine<double, 3>;
 
 struct OVERSKETCHWIDGETSCAMERA_EXPORT CameraState
 {

@@ -1,5 +1,6 @@
 #include "pen_view.h"
 
+#include "Mesh/context.h"
 #include "camera_state.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -56,6 +57,24 @@ View PenView::kernelView() const
 {
   using Matrix = Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>;
   return View(Matrix(this->view.data()), Matrix(this->projection.data()), this->size[0], this->size[1]);
+}
+
+std::optional<View> PenView::sight() const
+{
+  try
+  {
+    return this->kernelView();
+  }
+  catch (const Error&)
+  {
+    return std::nullopt;
+  }
+}
+
+Vector2 inViewport(vtkRenderer* renderer, double x, double y)
+{
+  const int* origin = renderer->GetOrigin();
+  return { x - origin[0], y - origin[1] };
 }
 
 bool PenView::operator==(const PenView& other) const

@@ -6,6 +6,7 @@
 #include "OversketchWidgetsCameraModule.h" // For export macro
 
 #include <array>
+#include <optional>
 
 class vtkPolyData;
 class vtkRenderer;
@@ -23,6 +24,7 @@ struct OVERSKETCHWIDGETSCAMERA_EXPORT PenView
   static PenView of(vtkPolyData* stroke);
   // Throws Error for matrices that make no view.
   View kernelView() const;
+  std::optional<View> sight() const; // absent for those
   // The same to the eye: a camera that was turned away and back differs by rounding.
   bool operator==(const PenView& other) const;
   // The same eye and direction, whatever the zoom and the size of the window.
@@ -31,6 +33,9 @@ struct OVERSKETCHWIDGETSCAMERA_EXPORT PenView
   // size).
   void putInto(vtkRenderer* renderer) const;
 };
+
+// A place of the window [px], from the lower left corner of the renderer's viewport.
+OVERSKETCHWIDGETSCAMERA_EXPORT Vector2 inViewport(vtkRenderer* renderer, double x, double y);
 
 } // namespace oversketch
 #endif

@@ -10,19 +10,8 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
-#include <string>
-
 vtkStandardNewMacro(vtkOversketchCameraWidget);
-
-namespace
-{
-
-vtkOversketchCameraWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchCameraWidget*>(widget);
-}
-
-} // namespace
+oversketchRepresentationMacro(Camera);
 
 vtkOversketchCameraWidget::vtkOversketchCameraWidget()
 {
@@ -40,20 +29,6 @@ void vtkOversketchCameraWidget::SetRepresentation(vtkOversketchCameraRepresentat
 {
   this->Stop();
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchCameraRepresentation* vtkOversketchCameraWidget::GetCameraRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchCameraRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchCameraWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchCameraRepresentation::New();
-  }
 }
 
 void vtkOversketchCameraWidget::SetEnabled(int enabling)
@@ -78,7 +53,7 @@ void vtkOversketchCameraWidget::Stop()
 
 void vtkOversketchCameraWidget::Press(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
   const int* at = self->Interactor->GetEventPosition();
   const int what = controls->ComputeInteractionState(at[0], at[1]);
@@ -102,7 +77,7 @@ void vtkOversketchCameraWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Move(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   vtkOversketchCameraRepresentation* controls = self->GetCameraRepresentation();
   vtkOversketchInteractorStyle* style = self->Dragging ? controls->GetStyle() : nullptr;
   if (!style)
@@ -124,7 +99,7 @@ void vtkOversketchCameraWidget::Move(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Release(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   if (self->Dragging)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
@@ -134,15 +109,14 @@ void vtkOversketchCameraWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchCameraWidget::Key(vtkAbstractWidget* widget)
 {
-  vtkOversketchCameraWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchCameraWidget>(widget);
   if (!self->Dragging)
   {
     return;
   }
   self->EventCallbackCommand->SetAbortFlag(1);
   vtkOversketchInteractorStyle* style = self->GetCameraRepresentation()->GetStyle();
-  const char* key = self->Interactor->GetKeySym();
-  if (style && key && std::string(key) == "Escape")
+  if (style && oversketch::keyOf(self->Interactor) == "Escape")
   {
     style->SetSpin(self->Spin);
     style->SetZoom(self->Zoom);

@@ -5,9 +5,9 @@
 #include "camera_keys.h"
 #include "camera_moves.h"
 #include "camera_state.h"
-#include "key_list.h"
 #include "mesh_picker.h"
 #include "pen_view.h"
+#include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -564,8 +564,7 @@ void vtkOversketchInteractorStyle::OnKeyPress()
   Internals& inner = *this->Inner;
   if (inner.drag)
   {
-    const char* key = this->Interactor->GetKeySym();
-    if (key && std::string(key) == "Escape")
+    if (oversketch::keyOf(this->Interactor) == "Escape")
     {
       if (FirstView* first = inner.firstView())
       {

@@ -3,6 +3,8 @@
 #include "vtkAbstractWidget.h"
 #include "vtkCommand.h"
 #include "vtkEvent.h"
+#include "vtkRenderWindowInteractor.h"
+#include "vtkRenderer.h"
 #include "vtkWidgetEvent.h"
 
 namespace oversketch
@@ -44,6 +46,19 @@ void listenToHand(vtkWidgetCallbackMapper* mapper, vtkAbstractWidget* widget, co
   {
     mapper->SetCallbackMethod(event, vtkWidgetEvent::ModifyEvent, widget, swallow);
   }
+}
+
+void workIn(vtkRenderer* renderer, vtkRenderWindowInteractor* interactor, vtkAbstractWidget* widget)
+{
+  widget->SetInteractor(interactor);
+  widget->SetDefaultRenderer(renderer);
+  widget->SetCurrentRenderer(renderer);
+}
+
+std::string keyOf(vtkRenderWindowInteractor* interactor)
+{
+  const char* key = interactor->GetKeySym();
+  return key ? key : "";
 }
 
 } // namespace oversketch

@@ -1,10 +1,9 @@
 #include "drawing_strokes.h"
 
 #include "Stroke/correct.h"
-#include "pen_view.h"
+#include "pen_stroke.h"
 #include "vtkOversketchCanvasTools.h"
 
-#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -113,19 +112,7 @@ void DrawingStrokes::set(vtkPolyData* drawing)
 
 void DrawingStrokes::putInto(vtkPolyData* drawing) const
 {
-  vtkNew<vtkPolyData> all;
-  if (!this->All.empty())
-  {
-    vtkNew<vtkAppendPolyData> append;
-    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    for (vtkPolyData* stroke : this->All)
-    {
-      append->AddInputData(stroke);
-    }
-    append->Update();
-    all->ShallowCopy(append->GetOutput());
-  }
-  drawing->ShallowCopy(all);
+  oversketch::putInto(drawing, this->All);
 }
 
 void DrawingStrokes::add(vtkPolyData* stroke, bool magnetic, double radius)

@@ -41,6 +41,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchDrawingWidget);
+oversketchRepresentationMacro(Drawing);
 
 struct vtkOversketchDrawingWidget::Internals
 {
@@ -65,11 +66,6 @@ namespace
 
 constexpr double clickLength = 3.0; // px
 constexpr double notch = 1.15;      // zoom of a notch of the wheel
-
-vtkOversketchDrawingWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchDrawingWidget*>(widget);
-}
 
 // Farthest that a stroke goes from its first sample [px].
 double extentOf(vtkPolyData* stroke)
@@ -117,24 +113,15 @@ double areaRound(vtkPolyData* curves, vtkIdType cell, const Vector2& place)
 vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
   : Inner(std::make_unique<Internals>())
 {
-  this->KeyPressActivationOff();
-  this->Priority = 0.55f; // before the pen
-  const auto nothing = [](vtkAbstractWidget*) {};
-  listenToHand(this->CallbackMapper, this, { Press, MoveTo, nothing, nothing, Forward, Backward });
+  this->CallbackMapper->SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, MoveTo);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::MouseWheelForwardEvent, vtkWidgetEvent::Up, this, Forward);
+  this->CallbackMapper->SetCallbackMethod(
+    vtkCommand::MouseWheelBackwardEvent, vtkWidgetEvent::Down, this, Backward);
   this->CallbackMapper->SetCallbackMethod(
     vtkCommand::MiddleButtonPressEvent, vtkWidgetEvent::Translate, this, PanBegins);
   this->CallbackMapper->SetCallbackMethod(
     vtkCommand::MiddleButtonReleaseEvent, vtkWidgetEvent::EndTranslate, this, PanEnds);
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<vtkOversketchDrawingWidget*>(self)->Heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    this->Pen->AddObserver(event, this->PenObserver);
-  }
   Internals& inner = *this->Inner;
   inner.producer->SetOutput(this->Drawing);
   inner.canvas->SetInputData(0, this->Drawing);
@@ -143,23 +130,13 @@ vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
   inner.arrange->SetInputConnection(0, inner.resample->GetOutputPort());
   inner.classify->SetInputConnection(0, inner.resample->GetOutputPort());
   inner.treatment->SetInputConnection(0, inner.classify->GetOutputPort());
-  vtkProperty2D* corridor = this->Pen->GetStrokeRepresentation()->GetSectionProperty();
+  vtkProperty2D* corridor = this->GetPen()->GetStrokeRepresentation()->GetSectionProperty();
   corridor->SetColor(0.20, 0.50, 0.95);
   corridor->SetOpacity(0.25);
   this->SetCanvas(0.0, 0.0, 1024.0, 768.0);
 }
 
-vtkOversketchDrawingWidget::~vtkOversketchDrawingWidget()
-{
-  this->Pen->RemoveObserver(this->PenObserver);
-  this->vtkOversketchDrawingWidget::SetEnabled(0);
-  this->Pen->SetInteractor(nullptr);
-}
-
-vtkOversketchStrokeWidget* vtkOversketchDrawingWidget::GetPen()
-{
-  return this->Pen;
-}
+vtkOversketchDrawingWidget::~vtkOversketchDrawingWidget() = default;
 
 vtkAlgorithmOutput* vtkOversketchDrawingWidget::GetOutputPort()
 {
@@ -386,79 +363,42 @@ void vtkOversketchDrawingWidget::SetRepresentation(vtkOversketchDrawingRepresent
   this->SetPicture(this->Inner->picture);
 }
 
-vtkOversketchDrawingRepresentation* vtkOversketchDrawingWidget::GetDrawingRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchDrawingRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchDrawingWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchDrawingRepresentation::New();
-  }
-}
-
 void vtkOversketchDrawingWidget::SetEnabled(int enabling)
 {
-  if (!enabling && this->Enabled)
-  {
-    this->Panning = false;
-    this->Pen->SetEnabled(0);
-  }
   const bool before = this->Enabled;
+  this->Panning = this->Panning && enabling;
   this->Superclass::SetEnabled(enabling);
   if (!before && this->Enabled)
   {
     this->ResetView();
-    this->Pen->SetInteractor(this->Interactor);
-    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
-    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
-    this->Pen->SetEnabled(1);
+    this->Render();
   }
 }
 
-void vtkOversketchDrawingWidget::SetInteractor(vtkRenderWindowInteractor* interactor)
-{
-  this->Superclass::SetInteractor(interactor); // ends with SetEnabled(0) where it changes
-  this->Pen->SetInteractor(interactor);
-}
-
-void vtkOversketchDrawingWidget::Heard(unsigned long event)
+void vtkOversketchDrawingWidget::Heard(vtkObject* pen, unsigned long event, void* data)
 {
   const vtkSmartPointer<vtkOversketchDrawingWidget> alive(this); // an observer may let go of it
-  vtkOversketchStrokeRepresentation* line = this->Pen->GetStrokeRepresentation();
-  if (event == vtkCommand::StartInteractionEvent)
-  {
-    this->Correcting = this->PressedOver;
-  }
-  else if (event == vtkCommand::InteractionEvent)
+  if (event == vtkCommand::InteractionEvent)
   {
     this->LineGrows();
   }
-  else if (event == vtkCommand::WidgetValueChangedEvent)
-  {
-    vtkNew<vtkPolyData> stroke;
-    stroke->DeepCopy(this->Pen->GetStroke());
-    line->Clear(); // from here on it is this widget's
-    this->PenDraws = true;
-    extentOf(stroke) > clickLength ? this->Take(stroke) : this->Click();
-    this->PenDraws = false;
-    return;
-  }
-  this->InvokeEvent(event);
-  if (event == vtkCommand::EndInteractionEvent && !this->Pen->WasDropped() && line->GetNumberOfSamples() < 2)
+  this->PenDraws = event == vtkCommand::WidgetValueChangedEvent;
+  this->Superclass::Heard(pen, event, data);
+  if (event == vtkCommand::EndInteractionEvent && !this->GetPen()->WasDropped() &&
+      this->GetPen()->GetStrokeRepresentation()->GetNumberOfSamples() < 2)
   {
     this->PenDraws = true;
-    this->Click();
-    this->PenDraws = false;
+    if (this->Click())
+    {
+      this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
+    }
   }
+  this->PenDraws = false;
 }
 
 void vtkOversketchDrawingWidget::LineGrows()
 {
-  vtkOversketchStrokeRepresentation* line = this->Pen->GetStrokeRepresentation();
+  vtkOversketchStrokeRepresentation* line = this->GetPen()->GetStrokeRepresentation();
   if (line->GetNumberOfSamples() == 1)
   {
     vtkNew<vtkPolyData> sample;
@@ -473,31 +413,32 @@ void vtkOversketchDrawingWidget::LineGrows()
   }
 }
 
-void vtkOversketchDrawingWidget::Click()
+bool vtkOversketchDrawingWidget::Click()
 {
-  if (this->Correcting || !this->CurrentRenderer)
+  if (this->IsOver() || !this->CurrentRenderer)
   {
-    return;
+    return false;
   }
   const auto at =
     ontoCanvas(PenView::of(this->CurrentRenderer).kernelView(), Vector2(this->Begun[0], this->Begun[1]));
-  if (at && this->CycleTreatment((*at)[0], (*at)[1]))
-  {
-    this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
-  }
+  return at && this->CycleTreatment((*at)[0], (*at)[1]);
 }
 
-void vtkOversketchDrawingWidget::Take(vtkPolyData* stroke)
+bool vtkOversketchDrawingWidget::TakeStroke(vtkPolyData* stroke, bool over)
 {
   Internals& inner = *this->Inner;
-  if (this->Correcting && inner.strokes.correct(stroke, inner.rectangle) < 0)
+  if (extentOf(stroke) <= clickLength)
+  {
+    return this->Click();
+  }
+  if (over && inner.strokes.correct(stroke, inner.rectangle) < 0)
   {
     this->Tell(
       "No stroke is under the ends of this one: begin and end on the stroke that is to be corrected.");
     this->Show();
-    return;
+    return false;
   }
-  if (!this->Correcting)
+  if (!over)
   {
     double radius = this->SnapRadius;
     if (inner.picture && this->CurrentRenderer) // in the picture's pixels
@@ -509,29 +450,15 @@ void vtkOversketchDrawingWidget::Take(vtkPolyData* stroke)
     inner.strokes.add(stroke, this->Magnetic && inner.picture, radius);
   }
   this->Publish();
-  this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
-}
-
-void vtkOversketchDrawingWidget::Press(vtkAbstractWidget* widget)
-{
-  const vtkSmartPointer<vtkOversketchDrawingWidget> self(cast(widget)); // an observer may let go of it
-  vtkRenderWindowInteractor* from = self->Interactor;
-  const int* at = from->GetEventPosition();
-  if (from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
-      self->CurrentRenderer->IsInViewport(at[0], at[1]))
-  {
-    self->EventCallbackCommand->SetAbortFlag(1);
-    self->PressedOver = true;
-    self->Pen->BeginStroke(at[0], at[1], self->Pen->GetPressure());
-    self->PressedOver = false;
-  }
+  return true;
 }
 
 void vtkOversketchDrawingWidget::PanBegins(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
-  if (!self->Pen->IsDrawing() && self->CurrentRenderer && self->CurrentRenderer->IsInViewport(at[0], at[1]))
+  if (!self->GetPen()->IsDrawing() && self->CurrentRenderer &&
+      self->CurrentRenderer->IsInViewport(at[0], at[1]))
   {
     self->Panning = true;
     std::copy_n(at, 2, self->At);
@@ -542,7 +469,7 @@ void vtkOversketchDrawingWidget::PanBegins(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   if (self->Panning)
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -555,7 +482,7 @@ void vtkOversketchDrawingWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::PanEnds(vtkAbstractWidget* widget)
 {
-  vtkOversketchDrawingWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchDrawingWidget>(widget);
   if (self->Panning)
   {
     MoveTo(widget);
@@ -567,12 +494,12 @@ void vtkOversketchDrawingWidget::PanEnds(vtkAbstractWidget* widget)
 
 void vtkOversketchDrawingWidget::Forward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Zoom(notch);
+  oversketch::called<vtkOversketchDrawingWidget>(widget)->Zoom(notch);
 }
 
 void vtkOversketchDrawingWidget::Backward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Zoom(1.0 / notch);
+  oversketch::called<vtkOversketchDrawingWidget>(widget)->Zoom(1.0 / notch);
 }
 
 void vtkOversketchDrawingWidget::Zoom(double factor)

@@ -31,8 +31,8 @@
 #define vtkOversketchDrawingWidget_h
 
 #include "OversketchWidgetsDrawingModule.h" // For export macro
-#include "vtkAbstractWidget.h"
-#include "vtkNew.h" // For Pen, Drawing, PenObserver
+#include "vtkNew.h"                         // For Drawing
+#include "vtkOversketchCurvePenWidget.h"
 
 #include <memory>
 #include <string>
@@ -43,17 +43,15 @@ class Message;
 }
 
 class vtkAlgorithmOutput;
-class vtkCallbackCommand;
 class vtkImageData;
 class vtkOversketchDrawingRepresentation;
-class vtkOversketchStrokeWidget;
 class vtkPolyData;
 
-class OVERSKETCHWIDGETSDRAWING_EXPORT vtkOversketchDrawingWidget : public vtkAbstractWidget
+class OVERSKETCHWIDGETSDRAWING_EXPORT vtkOversketchDrawingWidget : public vtkOversketchCurvePenWidget
 {
 public:
   static vtkOversketchDrawingWidget* New();
-  vtkTypeMacro(vtkOversketchDrawingWidget, vtkAbstractWidget);
+  vtkTypeMacro(vtkOversketchDrawingWidget, vtkOversketchCurvePenWidget);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -134,37 +132,34 @@ public:
   const char* GetText();
   const oversketch::Message& GetSaid() const;
 
-  /**
-   * The pen, for its stabilizer, pressure and samples of a tablet.
-   */
-  vtkOversketchStrokeWidget* GetPen();
-
   void SetRepresentation(vtkOversketchDrawingRepresentation* representation);
   vtkOversketchDrawingRepresentation* GetDrawingRepresentation();
   void CreateDefaultRepresentation() override;
   void SetEnabled(int enabling) override;
-  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
 
 protected:
   vtkOversketchDrawingWidget();
   ~vtkOversketchDrawingWidget() override;
+
+  bool Wants(bool) override { return true; }
+  bool TakeStroke(vtkPolyData* stroke, bool over) override;
+  bool TakeBack() override { return false; }    // keys are the pen's
+  void ShowText(const std::string&) override {} // it is of the drawing, not of what the pen does
+  void Heard(vtkObject* pen, unsigned long event, void* data) override;
 
 private:
   vtkOversketchDrawingWidget(const vtkOversketchDrawingWidget&) = delete;
   void operator=(const vtkOversketchDrawingWidget&) = delete;
 
   // Callbacks of the event translator.
-  static void Press(vtkAbstractWidget* widget);
   static void MoveTo(vtkAbstractWidget* widget);
   static void PanBegins(vtkAbstractWidget* widget);
   static void PanEnds(vtkAbstractWidget* widget);
   static void Forward(vtkAbstractWidget* widget);
   static void Backward(vtkAbstractWidget* widget);
 
-  void Heard(unsigned long event);
   void LineGrows();
-  void Click();
-  void Take(vtkPolyData* stroke);
+  bool Click();
   void Publish();
   void Show();
   void Classify();
@@ -174,13 +169,11 @@ private:
 
   bool Magnetic = true, Arrange = false;
   double SnapRadius = 10.0;
-  bool Panning = false, PressedOver = false, Correcting = false;
+  bool Panning = false;
   bool PenDraws = false; // what has changed is drawn with the pen's own change, once all have heard of it
   int At[2] = { 0, 0 };  // window px, where the cursor was
   double Begun[2] = { 0.0, 0.0 }; // px from the viewport's lower left corner, where the stroke began
-  vtkNew<vtkOversketchStrokeWidget> Pen;
   vtkNew<vtkPolyData> Drawing;
-  vtkNew<vtkCallbackCommand> PenObserver;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

@@ -4,6 +4,7 @@
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchLayerHandleRepresentation.h"
 #include "vtkOversketchLayerHandleWidget.h"
+#include "widget_events.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
@@ -33,9 +34,7 @@ void DiscWindow::setRenderer(vtkRenderer* renderer)
   for (vtkAbstractWidget* widget :
     { static_cast<vtkAbstractWidget*>(this->Layers), static_cast<vtkAbstractWidget*>(this->Areas) })
   {
-    widget->SetInteractor(this->Window ? window->GetInteractor() : nullptr);
-    widget->SetDefaultRenderer(this->Window);
-    widget->SetCurrentRenderer(this->Window);
+    workIn(this->Window, this->Window ? window->GetInteractor() : nullptr, widget);
   }
   this->Layers->GetLayerHandleRepresentation()->SetRenderer(this->Window);
   if (this->Window)

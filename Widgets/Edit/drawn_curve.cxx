@@ -2,12 +2,14 @@
 
 #include "Ray/projection.h"
 #include "Stroke/correct.h"
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
-#include "vtkIdList.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -80,36 +82,17 @@ std::vector<Vector3> redrawn(const std::vector<Vector3>& curve,
   return result;
 }
 
-std::vector<Polyline> seenIn(const View& view, const std::vector<Vector3>& line, bool closed)
+std::vector<Polyline> segmentsIn(const View& view, const std::vector<std::array<Vector3, 2>>& segments)
 {
-  std::vector<Polyline> pieces(1);
-  const std::size_t count = line.size() + (closed && !line.empty() ? 1 : 0);
-  for (std::size_t i = 0; i < count; ++i)
+  std::vector<Polyline> seen;
+  for (const auto& [from, to] : segments)
   {
-    const Vector3& point = line[i % line.size()];
-    if (view.inFront(point))
+    if (view.inFront(from) && view.inFront(to))
     {
-      pieces.back().emplace_back(view.toDisplay(point).head<2>());
-    }
-    else if (!pieces.back().empty())
-    {
-      pieces.emplace_back();
+      seen.push_back({ view.toDisplay(from).head<2>(), view.toDisplay(to).head<2>() });
     }
   }
-  return pieces;
-}
-
-double distanceTo(const View& view, const std::vector<Vector3>& line, bool closed, const Vector2& place)
-{
-  double least = std::numeric_limits<double>::infinity();
-  for (const Polyline& piece : seenIn(view, line, closed))
-  {
-    if (!piece.empty())
-    {
-      least = std::min(least, NearestPlace(piece)(place).distance);
-    }
-  }
-  return least;
+  return seen;
 }
 
 std::vector<double> sharesOf(const std::vector<Vector3>& line)
@@ -160,24 +143,54 @@ std::optional<double> nearestShare(const View& view,
   return (1.0 - nearest.t) * at[i] + nearest.t * at[std::min(i + 1, at.size() - 1)];
 }
 
-std::vector<WorldLine> linesOf(vtkPolyData* lines)
+std::vector<Vector3> firstLineOf(vtkPolyData* lines)
 {
-  std::vector<WorldLine> result;
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType i = 0; lines && i < lines->GetNumberOfLines(); ++i)
+  const std::vector<WorldLine> all = linesOf(lines);
+  return all.empty() ? std::vector<Vector3>() : all[0].points;
+}
+
+Polyline flat(const std::vector<Vector3>& line)
+{
+  Polyline points;
+  for (const Vector3& p : line)
   {
-    lines->GetLines()->GetCellAtId(i, ids);
-    WorldLine line;
-    vtkIdType count = ids->GetNumberOfIds();
-    line.closed = count > 2 && ids->GetId(0) == ids->GetId(count - 1);
-    count -= line.closed;
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      line.points.emplace_back(lines->GetPoint(ids->GetId(k)));
-    }
-    result.push_back(std::move(line));
+    points.emplace_back(p.head<2>());
   }
-  return result;
+  return points;
+}
+
+void putLine(vtkPolyData* into, const std::vector<Vector3>& line, bool closed)
+{
+  into->Initialize();
+  if (line.empty())
+  {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell(static_cast<int>(line.size()) + closed);
+  for (const Vector3& p : line)
+  {
+    lines->InsertCellPoint(points->InsertNextPoint(p.data()));
+  }
+  if (closed)
+  {
+    lines->InsertCellPoint(0);
+  }
+  into->SetPoints(points);
+  into->SetLines(lines);
+}
+
+std::vector<vtkSmartPointer<vtkPolyData>> strokesOf(vtkPolyData* all)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> strokes;
+  for (vtkIdType i = 0; all && i < all->GetNumberOfLines(); ++i)
+  {
+    strokes.push_back(StrokeAlone(all, i));
+    strokes.back()->GetFieldData()->Initialize();
+  }
+  return strokes;
 }
 
 } // namespace oversketch

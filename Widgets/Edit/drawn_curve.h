@@ -6,7 +6,11 @@
 #include "Mesh/view.h"
 #include "Ray/surface_rays.h"
 #include "Stroke/polyline.h"
+#include "seen_line.h"
 
+#include "vtkSmartPointer.h"
+
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,11 +38,8 @@ std::vector<Vector3> redrawn(const std::vector<Vector3>& curve,
   const Polyline& samples,
   const std::vector<Vector3>& laid);
 
-// Lines of the world as a view shows them [px], in pieces where they pass behind the eye.
-std::vector<Polyline> seenIn(const View& view, const std::vector<Vector3>& line, bool closed = false);
-
-// How far a place of the picture is from a line of the world as it is seen [px]; infinite where none is seen.
-double distanceTo(const View& view, const std::vector<Vector3>& line, bool closed, const Vector2& place);
+// Segments in a view [px], those that are wholly before the eye.
+std::vector<Polyline> segmentsIn(const View& view, const std::vector<std::array<Vector3, 2>>& segments);
 
 // The share of a line's length at each of its points, 0 to 1.
 std::vector<double> sharesOf(const std::vector<Vector3>& line);
@@ -49,13 +50,13 @@ std::optional<double> nearestShare(const View& view,
   const std::vector<double>& shares,
   const Vector2& place);
 
-// The polylines of a polydata; those that end with the id that they begin with without it.
-struct WorldLine
-{
-  std::vector<Vector3> points;
-  bool closed = false;
-};
-std::vector<WorldLine> linesOf(vtkPolyData* lines);
+// The first polyline of a polydata, of none no points; without its third coordinates; and into one.
+std::vector<Vector3> firstLineOf(vtkPolyData* lines);
+Polyline flat(const std::vector<Vector3>& line);
+void putLine(vtkPolyData* into, const std::vector<Vector3>& line, bool closed = false);
+
+// The strokes of a polydata, each by itself, with its own points and arrays; of null none.
+std::vector<vtkSmartPointer<vtkPolyData>> strokesOf(vtkPolyData* all);
 
 } // namespace oversketch
 #endif

@@ -13,6 +13,17 @@
 namespace oversketch
 {
 
+Polyline circle(const Vector2& centre, double radius, int corners)
+{
+  Polyline rim;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * M_PI * i / corners;
+    rim.emplace_back(centre + radius * Vector2(std::cos(angle), std::sin(angle)));
+  }
+  return rim;
+}
+
 Overlay::Overlay()
 {
   vtkNew<vtkPolyDataMapper2D> mapper;
@@ -74,16 +85,49 @@ void Overlay::line(const Polyline& points, double width, const Colour& colour)
   }
 }
 
+void Overlay::rimmed(const std::vector<Polyline>& lines,
+  double width,
+  const Colour& colour,
+  const Colour& rim)
+{
+  for (const bool isRim : { true, false })
+  {
+    for (const Polyline& line : lines)
+    {
+      this->line(line, width + (isRim ? 2.0 : 0.0), isRim ? rim : colour);
+    }
+  }
+}
+
+void Overlay::profile(const std::vector<Polyline>& pieces, double width)
+{
+  double length = 0.0;
+  for (const Polyline& piece : pieces)
+  {
+    this->line(piece, width + 2.0, paperWhite);
+    length += piece.empty() ? 0.0 : arcLengths(piece).back();
+  }
+  double done = 0.0;
+  for (const Polyline& piece : pieces)
+  {
+    for (std::size_t i = 1; i < piece.size(); ++i)
+    {
+      const double share = length > 0.0 ? done / length : 0.0;
+      Colour colour{ 0, 0, 0, 255 };
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        colour[c] =
+          static_cast<unsigned char>(std::lround((1.0 - share) * regionOrange[c] + share * sectionBlue[c]));
+      }
+      this->line({ piece[i - 1], piece[i] }, width, colour);
+      done += (piece[i] - piece[i - 1]).norm();
+    }
+  }
+}
+
 void Overlay::disc(const Vector2& centre, double radius, const Colour& colour)
 {
-  const int corners = radius < 3.0 ? 8 : 24;
-  Polyline rim;
-  for (int i = 0; i < corners; ++i)
-  {
-    const double angle = 2.0 * M_PI * i / corners;
-    rim.emplace_back(centre + radius * Vector2(std::cos(angle), std::sin(angle)));
-  }
-  this->polygon(rim, colour);
+  this->polygon(circle(centre, radius, radius < 3.0 ? 8 : 24), colour);
 }
 
 void Overlay::knob(const Vector2& centre, double radius, const Colour& colour)

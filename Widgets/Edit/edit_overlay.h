@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <vector>
 
 class vtkActor2D;
 class vtkPolyData;
@@ -24,6 +25,8 @@ constexpr Colour strokeRed{ 219, 33, 31, 255 }, sectionBlue{ 41, 107, 242, 255 }
   regionOrange{ 250, 158, 51, 255 }, axisGreen{ 20, 145, 60, 255 }, paperWhite{ 255, 255, 255, 255 },
   inkGrey{ 60, 60, 66, 255 };
 
+Polyline circle(const Vector2& centre, double radius, int corners);
+
 class Overlay
 {
 public:
@@ -36,8 +39,14 @@ public:
   // px from the viewport's lower left corner. A polygon is convex.
   void line(const Polyline& points, double width, const Colour& colour);
   void polygon(const Polyline& corners, const Colour& colour);
+  // Lines with rims, which lie under all of them, so that they are seen before anything.
+  void rimmed(const std::vector<Polyline>& lines,
+    double width,
+    const Colour& colour,
+    const Colour& rim = paperWhite);
+  // A profile: from orange at its first place to blue at its last, with a light rim.
+  void profile(const std::vector<Polyline>& pieces, double width);
   void disc(const Vector2& centre, double radius, const Colour& colour);
-  // With a light rim, so that it is seen before anything.
   void knob(const Vector2& centre, double radius, const Colour& colour);
 
   int render(vtkViewport* viewport);

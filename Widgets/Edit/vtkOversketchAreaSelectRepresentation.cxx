@@ -9,10 +9,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -33,8 +30,8 @@ constexpr double longest = 0.015;  // of an outline's steps on the disc, to foll
 struct vtkOversketchAreaSelectRepresentation::Internals
 {
   std::unique_ptr<RegionPatch> patch;
-  std::vector<WorldLine> areas;                         // on the disc
-  std::vector<std::vector<std::vector<Vector3>>> lines; // of each area, pieces in the world
+  std::vector<WorldLine> areas;              // on the disc
+  std::vector<std::vector<WorldLine>> lines; // of each area, pieces in the world
   std::vector<std::array<Vector3, 2>> border;
   double box[6] = { -1.0, 1.0, -1.0, 1.0, 0.0, 0.0 };
 };
@@ -57,24 +54,20 @@ void vtkOversketchAreaSelectRepresentation::Follow()
     inner.border = inner.patch->level(side, rimShare);
     for (const WorldLine& area : inner.areas)
     {
-      Polyline outline;
-      for (const Vector3& p : area.points)
-      {
-        outline.emplace_back(p.head<2>());
-      }
+      Polyline outline = flat(area.points);
       outline.push_back(outline.front());
-      std::vector<std::vector<Vector3>> pieces(1);
+      std::vector<WorldLine> pieces(1);
       for (const Vector2& p : uniformPolyline(outline, longest))
       {
         if (const auto place = inner.patch->placeOf(side, p))
         {
-          pieces.back().push_back(*place);
+          pieces.back().points.push_back(*place);
         }
         else if (this->Side == Disc)
         {
-          pieces.back().emplace_back(p[0], p[1], 0.0);
+          pieces.back().points.emplace_back(p[0], p[1], 0.0);
         }
-        else if (!pieces.back().empty())
+        else if (!pieces.back().points.empty())
         {
           pieces.emplace_back();
         }
@@ -132,64 +125,41 @@ void vtkOversketchAreaSelectRepresentation::SetAreas(vtkPolyData* areas)
 void vtkOversketchAreaSelectRepresentation::PutOnDisc(vtkPolyData* stroke, vtkPolyData* area)
 {
   const Internals& inner = *this->Inner;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  std::vector<Vector3> places;
   if (inner.patch)
   {
     const View view = ViewOf(stroke);
-    Polyline places;
     for (const Vector2& sample : StrokeOf(stroke))
     {
       const SurfaceHit hit = inner.patch->under(patchSide(this->Side), view, sample);
+      Vector3& place = places.emplace_back(Vector3::Zero());
       if (hit.found())
       {
-        places.push_back(inner.patch->discAt(hit.at));
+        place.head<2>() = inner.patch->discAt(hit.at);
       }
       else if (const auto beside = ontoCanvas(view, sample); beside && this->Side == Disc)
       {
-        places.push_back(beside->cwiseMax(-farthest).cwiseMin(farthest));
+        place.head<2>() = beside->cwiseMax(-farthest).cwiseMin(farthest);
+      }
+      else
+      {
+        places.pop_back();
       }
     }
-    lines->InsertNextCell(static_cast<int>(places.size()));
-    for (const Vector2& p : places)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-    }
   }
-  area->Initialize();
-  area->SetPoints(points);
-  area->SetLines(lines);
-}
-
-int vtkOversketchAreaSelectRepresentation::FindGrip(const View&, double, double)
-{
-  return 0;
+  putLine(area, places);
 }
 
 void vtkOversketchAreaSelectRepresentation::Paint(const View& view, Overlay& overlay)
 {
   const Internals& inner = *this->Inner;
-  for (const auto& piece : inner.border)
+  for (const Polyline& piece : segmentsIn(view, inner.border))
   {
-    if (view.inFront(piece[0]) && view.inFront(piece[1]))
-    {
-      overlay.line({ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() }, 2.0, inkGrey);
-    }
+    overlay.line(piece, 2.0, inkGrey);
   }
   for (std::size_t i = 0; i < inner.lines.size(); ++i)
   {
-    const double width = static_cast<int>(i) == this->Area ? 4.5 : 3.0;
-    for (const bool isRim : { true, false })
-    {
-      for (const std::vector<Vector3>& line : inner.lines[i])
-      {
-        for (const Polyline& seen : seenIn(view, line))
-        {
-          overlay.line(seen, width + (isRim ? 2.0 : 0.0), isRim ? paperWhite : axisGreen);
-        }
-      }
-    }
+    overlay.rimmed(seenIn(view, inner.lines[i]), static_cast<int>(i) == this->Area ? 4.5 : 3.0, axisGreen);
   }
 }
 

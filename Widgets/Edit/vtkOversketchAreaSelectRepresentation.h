@@ -76,7 +76,6 @@ protected:
   vtkOversketchAreaSelectRepresentation();
   ~vtkOversketchAreaSelectRepresentation() override;
 
-  int FindGrip(const oversketch::View& view, double x, double y) override;
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:

@@ -2,6 +2,7 @@
 
 #include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
 #include "Mesh/context.h"
 
@@ -20,6 +21,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchAreaSelectWidget);
+oversketchRepresentationMacro(AreaSelect);
 
 struct vtkOversketchAreaSelectWidget::Internals
 {
@@ -69,10 +71,7 @@ vtkOversketchAreaSelectWidget::vtkOversketchAreaSelectWidget()
   this->Inner->port->SetOutput(this->Areas);
 }
 
-vtkOversketchAreaSelectWidget::~vtkOversketchAreaSelectWidget()
-{
-  this->PutPenDown();
-}
+vtkOversketchAreaSelectWidget::~vtkOversketchAreaSelectWidget() = default;
 
 vtkAlgorithmOutput* vtkOversketchAreaSelectWidget::GetAreasPort()
 {
@@ -163,20 +162,6 @@ void vtkOversketchAreaSelectWidget::SetRepresentation(vtkOversketchAreaSelectRep
 {
   this->SetWidgetRepresentation(representation);
   this->GetAreaSelectRepresentation()->SetAreas(this->Areas);
-}
-
-vtkOversketchAreaSelectRepresentation* vtkOversketchAreaSelectWidget::GetAreaSelectRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchAreaSelectRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchAreaSelectWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchAreaSelectRepresentation::New();
-  }
 }
 
 void vtkOversketchAreaSelectWidget::PrintSelf(ostream& os, vtkIndent indent)

@@ -2,7 +2,6 @@
 
 #include "drawn_curve.h"
 #include "edit_overlay.h"
-#include "operation_rows.h"
 #include "pen_view.h"
 
 #include "Matrix/moved.h"
@@ -273,9 +272,8 @@ double vtkOversketchAxisHandleRepresentation::GetT(double x, double y)
   {
     return -1.0;
   }
-  const int* origin = this->Renderer->GetOrigin();
   const View view = PenView::of(this->Renderer).kernelView();
-  return nearestShare(view, inner.moved, inner.shares, Vector2(x - origin[0], y - origin[1])).value_or(-1.0);
+  return nearestShare(view, inner.moved, inner.shares, inViewport(this->Renderer, x, y)).value_or(-1.0);
 }
 
 bool vtkOversketchAxisHandleRepresentation::IsOnLine(double x, double y)
@@ -284,11 +282,10 @@ bool vtkOversketchAxisHandleRepresentation::IsOnLine(double x, double y)
   {
     return false;
   }
-  const int* origin = this->Renderer->GetOrigin();
   return distanceTo(PenView::of(this->Renderer).kernelView(),
            this->Inner->moved,
            false,
-           Vector2(x - origin[0], y - origin[1])) <= this->GetGrabDistance();
+           inViewport(this->Renderer, x, y)) <= this->GetGrabDistance();
 }
 
 void vtkOversketchAxisHandleRepresentation::StartDrag(double x, double y, int handle, double t)
@@ -298,8 +295,7 @@ void vtkOversketchAxisHandleRepresentation::StartDrag(double x, double y, int ha
   {
     return;
   }
-  const int* origin = this->Renderer->GetOrigin();
-  inner.from = Vector2(x - origin[0], y - origin[1]);
+  inner.from = inViewport(this->Renderer, x, y);
   inner.grabbed = placeAt(inner.moved, inner.shares, t);
   if (handle >= 0 && handle < this->GetNumberOfHandles())
   {
@@ -316,8 +312,7 @@ double vtkOversketchAxisHandleRepresentation::GetAmount(int part, int axis, doub
     return nothing;
   }
   const View view = PenView::of(this->Renderer).kernelView();
-  const int* corner = this->Renderer->GetOrigin();
-  const Vector2 to(x - corner[0], y - corner[1]);
+  const Vector2 to = inViewport(this->Renderer, x, y);
   const Vector3& origin = inner.held.frame.origin;
   const Vector3& along = directionOf(inner.held.frame, axis);
   if (part == Move && !Internals::seen(view, inner.held, axis))
@@ -357,11 +352,10 @@ void vtkOversketchAxisHandleRepresentation::GetShift(double x, double y, double 
   if (this->Renderer)
   {
     const Internals& inner = *this->Inner;
-    const int* origin = this->Renderer->GetOrigin();
     const View view = PenView::of(this->Renderer).kernelView();
     const double depth = view.depth(inner.grabbed);
     const Vector3 by =
-      view.toWorld(Vector2(x - origin[0], y - origin[1]), depth) - view.toWorld(inner.from, depth);
+      view.toWorld(inViewport(this->Renderer, x, y), depth) - view.toWorld(inner.from, depth);
     std::copy_n(by.data(), 3, shift);
   }
 }
@@ -432,15 +426,9 @@ namespace
 
 void paintRing(Overlay& overlay, const Vector2& at, double radius, const Colour& colour, bool isActive)
 {
-  Polyline ring;
-  for (int i = 0; i <= 48; ++i)
-  {
-    const double a = 2.0 * M_PI * i / 48;
-    ring.push_back(at + radius * Vector2(std::cos(a), std::sin(a)));
-  }
-  const double width = isActive ? 4.5 : 3.0;
-  overlay.line(ring, width + 2.0, paperWhite);
-  overlay.line(ring, width, isActive ? regionOrange : colour);
+  Polyline ring = circle(at, radius, 48);
+  ring.push_back(ring.front());
+  overlay.rimmed({ ring }, isActive ? 4.5 : 3.0, isActive ? regionOrange : colour);
 }
 
 void paintAxis(Overlay& overlay, const Vector2& from, const Vector2& run, const Colour& colour, int active)
@@ -476,12 +464,10 @@ void paintAxis(Overlay& overlay, const Vector2& from, const Vector2& run, const 
       }
       else
       {
-        Polyline ring;
-        for (int i = 0; i <= 32; ++i)
-        {
-          const double a = 2.0 * M_PI * i / 32;
-          ring.push_back(at(middle + 8.0 * std::cos(a), 8.0 * std::sin(a)));
-        }
+        Polyline ring = circle({ middle, 0.0 }, 8.0, 32);
+        ring.push_back(ring.front());
+        std::transform(
+          ring.begin(), ring.end(), ring.begin(), [&](const Vector2& p) { return at(p[0], p[1]); });
         overlay.line(ring, (part == active ? 4.5 : 3.5) + 2.0 * rim, paint);
       }
     }
@@ -494,12 +480,7 @@ void vtkOversketchAxisHandleRepresentation::Paint(const View& view, Overlay& ove
 {
   const Internals& inner = *this->Inner;
   const int active = this->GetActiveGrip();
-  for (const Polyline& piece : seenIn(view, inner.moved))
-  {
-    const double width = active == lineGrip ? 5.0 : 3.0;
-    overlay.line(piece, width + 2.0, paperWhite);
-    overlay.line(piece, width, strokeRed);
-  }
+  overlay.rimmed(seenIn(view, inner.moved), active == lineGrip ? 5.0 : 3.0, strokeRed);
   for (int i = 0; i < this->GetNumberOfHandles(); ++i)
   {
     const Internals::Handle& handle = inner.handles[static_cast<std::size_t>(i)];

@@ -1,7 +1,9 @@
 #include "vtkOversketchAxisHandleWidget.h"
 
-#include "operation_rows.h"
 #include "vtkOversketchAxisHandleRepresentation.h"
+#include "widget_events.h"
+
+#include "Matrix/operations.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -14,6 +16,7 @@ using namespace oversketch;
 using AxesShown = vtkOversketchAxisHandleRepresentation;
 
 vtkStandardNewMacro(vtkOversketchAxisHandleWidget);
+oversketchRepresentationMacro(AxisHandle);
 
 namespace
 {
@@ -246,20 +249,6 @@ void vtkOversketchAxisHandleWidget::SetRepresentation(vtkOversketchAxisHandleRep
 {
   this->StopDragging(false);
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchAxisHandleRepresentation* vtkOversketchAxisHandleWidget::GetAxisHandleRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<AxesShown*>(this->WidgetRep);
-}
-
-void vtkOversketchAxisHandleWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = AxesShown::New();
-  }
 }
 
 void vtkOversketchAxisHandleWidget::PrintSelf(ostream& os, vtkIndent indent)

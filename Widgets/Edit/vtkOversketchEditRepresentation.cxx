@@ -1,9 +1,6 @@
 #include "vtkOversketchEditRepresentation.h"
 
-#include "edit_overlay.h"
 #include "moved_region.h"
-
-#include "Mesh/view.h"
 
 #include "vtkActor.h"
 #include "vtkObjectFactory.h"
@@ -15,6 +12,7 @@ vtkStandardNewMacro(vtkOversketchEditRepresentation);
 vtkOversketchEditRepresentation::vtkOversketchEditRepresentation()
   : Region(std::make_unique<oversketch::MovedRegion>())
 {
+  this->AddActor(this->Region->actor());
 }
 
 vtkOversketchEditRepresentation::~vtkOversketchEditRepresentation() = default;
@@ -29,25 +27,6 @@ vtkProperty* vtkOversketchEditRepresentation::GetRegionProperty()
 {
   return this->Region->actor()->GetProperty();
 }
-
-void vtkOversketchEditRepresentation::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Region->actor()->ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
-}
-
-int vtkOversketchEditRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  return (this->Region->isShown() ? this->Region->actor()->RenderOpaqueGeometry(viewport) : 0) +
-         this->Superclass::RenderOpaqueGeometry(viewport);
-}
-
-int vtkOversketchEditRepresentation::FindGrip(const oversketch::View&, double, double)
-{
-  return 0;
-}
-
-void vtkOversketchEditRepresentation::Paint(const oversketch::View&, oversketch::Overlay&) {}
 
 void vtkOversketchEditRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {

@@ -39,20 +39,9 @@ public:
    */
   vtkProperty* GetRegionProperty();
 
-  ///@{
-  /**
-   * As a prop.
-   */
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  ///@}
-
 protected:
   vtkOversketchEditRepresentation();
   ~vtkOversketchEditRepresentation() override;
-
-  int FindGrip(const oversketch::View& view, double x, double y) override;
-  void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
   vtkOversketchEditRepresentation(const vtkOversketchEditRepresentation&) = delete;

@@ -1,7 +1,7 @@
 #include "vtkOversketchEditWidget.h"
 
-#include "edit_parts.h"
-#include "layer_text.h"
+#include "disc_window.h"
+#include "hosted_system.h"
 #include "vtkOversketchAreaSelectRepresentation.h"
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchAxisHandleRepresentation.h"
@@ -18,10 +18,8 @@
 #include "vtkOversketchStrokeWidget.h"
 #include "widget_events.h"
 
-#include "Mesh/context.h"
+#include "Shading/layer_list.h"
 
-#include "vtkAlgorithm.h"
-#include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
@@ -31,42 +29,58 @@
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkTrivialProducer.h"
-#include "vtkWeakPointer.h"
 
 #include <array>
 #include <string>
-#include <tuple>
-#include <utility>
 
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchEditWidget);
+oversketchRepresentationMacro(Edit);
 
-struct vtkOversketchEditWidget::Internals : EditParts
+// Widgets, those over the model in the order of the modes, and the system that they are of.
+struct vtkOversketchEditWidget::Internals : HostedSystem
 {
-  vtkNew<vtkCallbackCommand> observer, rendererObserver;
-
-  vtkSmartPointer<vtkAlgorithm> source;
-  int sourcePort = 0;
-  vtkSmartPointer<vtkPolyData> sourceSeen;
-  vtkMTimeType sourceTime = 0, systemTime = 0;
-  vtkNew<vtkPolyData> base, preview, output; // what is edited; while something is dragged; what comes of it
-  vtkNew<vtkTrivialProducer> producer;
-  vtkNew<vtkOversketchEdit> system;
-  bool stale = false, acted = false;
+  vtkNew<vtkOversketchRegionWidget> region;
+  vtkNew<vtkOversketchAxisHandleWidget> axes;
+  vtkNew<vtkOversketchLayerHandleWidget> layers;
+  vtkNew<vtkOversketchAreaSelectWidget> areas;
+  vtkNew<vtkOversketchProfilePlaneWidget> planes;
+  DiscWindow disc;
+  vtkNew<vtkOversketchEdit> edit;
+  vtkNew<vtkPolyData> preview; // the output while something is dragged
+  bool stale = false;
   MeshKey fed, shown; // the region that the widgets have, and the same after the edit
-  Message said;
-  std::string message;
-  vtkWeakPointer<vtkRenderer> watched;
 
+  std::array<vtkAbstractWidget*, 5> byMode()
+  {
+    return { this->region, this->axes, this->layers, this->areas, this->planes };
+  }
   // The region after the edit, before new triangles.
   vtkPolyData* moved()
   {
-    return this->system->GetInnerOutput(
+    return this->edit->GetInnerOutput(
       this->planes->GetProfile()->GetNumberOfPoints() > 0 ? "Bend" : "Deform");
   }
   bool isWhole() { return this->region->HasReference() && this->region->HasBoundary(); }
+  // Shows what lassos hold over the model while others than their widget have the hand, or no more.
+  void showAreas(bool show)
+  {
+    if (!this->watched())
+    {
+      return;
+    }
+    vtkOversketchAreaSelectRepresentation* held = this->areas->GetAreaSelectRepresentation();
+    if (show && this->areas->GetAreas()->GetNumberOfLines() > 0)
+    {
+      held->SetRenderer(this->watched());
+      this->watched()->AddViewProp(held);
+    }
+    else if (!this->areas->GetEnabled())
+    {
+      this->watched()->RemoveViewProp(held);
+    }
+  }
 };
 
 vtkOversketchEditWidget::vtkOversketchEditWidget()
@@ -77,40 +91,24 @@ vtkOversketchEditWidget::vtkOversketchEditWidget()
   const auto nothing = [](vtkAbstractWidget*) {};
   listenToHand(this->CallbackMapper, this, { nothing, nothing, nothing, Key });
   Internals& inner = *this->Inner;
-  inner.producer->SetOutput(inner.output);
+  inner.setSystem(inner.edit);
   inner.layers->GetLayerHandleRepresentation()->SetSideToModel();
   inner.areas->GetAreaSelectRepresentation()->SetSideToModel();
-  inner.observer->SetClientData(this);
-  inner.observer->SetCallback([](vtkObject* from, unsigned long event, void* self, void* text)
-    { static_cast<vtkOversketchEditWidget*>(self)->Heard(from, event, static_cast<const char*>(text)); });
-  for (vtkAbstractWidget* widget : inner.all())
+  const auto hear = [this](vtkAbstractWidget* widget)
+  { listenTo(widget, this, &vtkOversketchEditWidget::Heard, { vtkCommand::MessageEvent }); };
+  for (vtkAbstractWidget* widget : inner.byMode())
   {
-    for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-           vtkCommand::InteractionEvent,
-           vtkCommand::EndInteractionEvent,
-           vtkCommand::WidgetValueChangedEvent,
-           vtkCommand::MessageEvent })
-    {
-      widget->AddObserver(event, inner.observer);
-    }
+    hear(widget);
   }
-  // The renderer is about to draw the mesh.
-  inner.rendererObserver->SetClientData(this);
-  inner.rendererObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkOversketchEditWidget*>(self)->Update(); });
+  hear(inner.disc.layers());
+  hear(inner.disc.areas());
 }
 
 vtkOversketchEditWidget::~vtkOversketchEditWidget()
 {
-  Internals& inner = *this->Inner;
-  for (vtkAbstractWidget* widget : inner.all())
-  {
-    widget->RemoveObserver(inner.observer);
-  }
-  inner.disc.setRenderer(nullptr);
+  this->Inner->disc.setRenderer(nullptr);
   this->vtkOversketchEditWidget::SetEnabled(0);
-  this->StopWatching();
-  for (vtkAbstractWidget* widget : inner.byMode())
+  for (vtkAbstractWidget* widget : this->Inner->byMode())
   {
     widget->SetInteractor(nullptr);
   }
@@ -118,30 +116,27 @@ vtkOversketchEditWidget::~vtkOversketchEditWidget()
 
 void vtkOversketchEditWidget::SetInputConnection(vtkAlgorithmOutput* mesh)
 {
-  this->Inner->source = mesh ? mesh->GetProducer() : nullptr;
-  this->Inner->sourcePort = mesh ? mesh->GetIndex() : 0;
+  this->Inner->setSource(mesh);
 }
 
 void vtkOversketchEditWidget::SetInputData(vtkPolyData* mesh)
 {
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(mesh);
-  this->SetInputConnection(producer->GetOutputPort());
+  this->Inner->setSource(mesh);
 }
 
 vtkAlgorithmOutput* vtkOversketchEditWidget::GetOutputPort()
 {
-  return this->Inner->producer->GetOutputPort();
+  return this->Inner->outputPort();
 }
 
 vtkPolyData* vtkOversketchEditWidget::GetOutput()
 {
-  return this->Inner->output;
+  return this->Inner->output();
 }
 
 vtkOversketchEdit* vtkOversketchEditWidget::GetEdit()
 {
-  return this->Inner->system;
+  return this->Inner->edit;
 }
 
 vtkOversketchRegionWidget* vtkOversketchEditWidget::GetRegionWidget()
@@ -171,48 +166,37 @@ vtkOversketchProfilePlaneWidget* vtkOversketchEditWidget::GetProfilePlaneWidget(
 
 bool vtkOversketchEditWidget::HasRegion() const
 {
-  return this->Inner->acted;
+  return this->Inner->acted();
 }
 
 const char* vtkOversketchEditWidget::GetMessage()
 {
-  return this->Inner->message.c_str();
+  return this->Inner->text();
 }
 
 const Message& vtkOversketchEditWidget::GetSaid() const
 {
-  return this->Inner->said;
+  return this->Inner->said();
 }
 
 void vtkOversketchEditWidget::Say(const Message& said)
 {
-  this->Inner->said = said;
-  const std::string message = said.text();
-  const bool isNew = message != this->Inner->message;
-  this->Inner->message = message;
-  this->GetEditRepresentation()->SetText(message.c_str());
-  if (isNew && !message.empty())
+  const bool isNews = this->Inner->say(said);
+  this->GetEditRepresentation()->SetText(this->GetMessage());
+  if (isNews)
   {
-    this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(message.c_str()));
+    this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(this->GetMessage()));
   }
 }
 
 void vtkOversketchEditWidget::Update()
 {
   Internals& inner = *this->Inner;
-  if (inner.source)
+  if (inner.follow())
   {
-    inner.source->Update(inner.sourcePort);
-    auto* mesh = vtkPolyData::SafeDownCast(inner.source->GetOutputDataObject(inner.sourcePort));
-    if (mesh && (mesh != inner.sourceSeen || mesh->GetMTime() != inner.sourceTime))
-    {
-      inner.sourceSeen = mesh;
-      inner.sourceTime = mesh->GetMTime();
-      inner.base->ShallowCopy(mesh);
-      this->Begin();
-    }
+    this->Begin();
   }
-  if (!this->Previewing && (inner.stale || (inner.isWhole() && inner.system->GetMTime() > inner.systemTime)))
+  if (!this->Previewing && (inner.stale || (inner.isWhole() && inner.isNewer())))
   {
     this->Run();
   }
@@ -222,14 +206,14 @@ void vtkOversketchEditWidget::Update()
 void vtkOversketchEditWidget::Begin()
 {
   Internals& inner = *this->Inner;
-  inner.output->ShallowCopy(inner.base);
-  inner.acted = inner.stale = this->Previewing = false;
-  inner.region->SetModel(inner.base);
+  inner.drop();
+  inner.stale = this->Previewing = false;
+  inner.region->SetModel(inner.base());
   inner.region->SetRegion(nullptr, nullptr);
   inner.areas->SetAreas(nullptr);
   inner.planes->SetProfile(nullptr);
-  inner.system->SetOperations("");
-  inner.system->SetLayers("");
+  inner.edit->SetOperations("");
+  inner.edit->SetLayers("");
   this->FeedWidgets();
   this->SetMode(Region);
   this->Say("");
@@ -247,9 +231,9 @@ void vtkOversketchEditWidget::ReadHand()
     inner.layers->SetLayers(left.c_str());
   }
   shading->SetArea(areas - 1);
-  inner.system->SetOperations(inner.axes->GetOperations());
-  inner.system->SetLayers(inner.layers->GetLayers());
-  inner.system->SetProfileAt(inner.planes->GetProfileAt());
+  inner.edit->SetOperations(inner.axes->GetOperations());
+  inner.edit->SetLayers(inner.layers->GetLayers());
+  inner.edit->SetProfileAt(inner.planes->GetProfileAt());
   inner.disc.follow(inner.layers, inner.areas);
   inner.stale = true;
 }
@@ -258,52 +242,53 @@ void vtkOversketchEditWidget::Connect()
 {
   Internals& inner = *this->Inner;
   const auto orNone = [](vtkPolyData* data) { return data->GetNumberOfPoints() > 0 ? data : nullptr; };
-  inner.system->SetInputData(0, inner.base);
-  inner.system->SetReferenceData(inner.region->GetReference());
-  inner.system->SetBoundaryData(inner.region->GetBoundary());
-  inner.system->SetProfileData(orNone(inner.planes->GetProfile()));
-  inner.system->SetAreasData(orNone(inner.areas->GetAreas()));
+  inner.edit->SetInputData(0, inner.base());
+  inner.edit->SetReferenceData(inner.region->GetReference());
+  inner.edit->SetBoundaryData(inner.region->GetBoundary());
+  inner.edit->SetProfileData(orNone(inner.planes->GetProfile()));
+  inner.edit->SetAreasData(orNone(inner.areas->GetAreas()));
 }
 
 // The mesh without new triangles, by what a drag changes alone.
 void vtkOversketchEditWidget::Preview()
 {
   Internals& inner = *this->Inner;
-  if (inner.acted)
+  if (inner.acted())
   {
     this->Connect();
-    if (inner.system->PreviewEdit(inner.preview))
+    if (inner.edit->PreviewEdit(inner.preview))
     {
-      inner.output->ShallowCopy(inner.preview);
-      inner.output->Modified();
+      inner.output()->ShallowCopy(inner.preview);
+      inner.output()->Modified();
       inner.planes->ShowSectionOn(inner.moved());
       if (this->Mode == Shade)
       {
         inner.layers->GetLayerHandleRepresentation()->SetRegion(inner.moved());
       }
     }
-    inner.systemTime = inner.system->GetMTime();
+    inner.look();
   }
 }
 
 void vtkOversketchEditWidget::Run()
 {
   Internals& inner = *this->Inner;
-  inner.stale = inner.acted = false;
+  inner.stale = false;
   Message message;
   if (inner.isWhole())
   {
     this->Connect();
-    inner.system->Modified(); // what ran before may have had another mesh in the same data object
-    std::tie(inner.acted, message) = ranTold(inner.system);
-    inner.systemTime = inner.system->GetMTime();
+    message = inner.run();
   }
-  else if (inner.region->HasReference())
+  else
   {
-    this->Connect();
-    message = inner.system->Prepare() ? Message() : ranTold(inner.system).second; // it may be none already
+    inner.drop();
+    if (inner.region->HasReference())
+    {
+      this->Connect();
+      message = inner.edit->Prepare() ? Message() : ranTold(inner.edit).second; // it may be none already
+    }
   }
-  inner.output->ShallowCopy(inner.acted ? inner.system->GetOutput() : inner.base.Get());
   this->FeedWidgets();
   this->Say(message);
   this->ShowMoved();
@@ -312,9 +297,9 @@ void vtkOversketchEditWidget::Run()
 void vtkOversketchEditWidget::ShowMoved()
 {
   vtkNew<vtkPolyData> moved;
-  if (this->ShowRegion && this->Inner->acted && !this->Previewing)
+  if (this->ShowRegion && this->Inner->acted() && !this->Previewing)
   {
-    this->Inner->system->GetRegion(moved);
+    this->Inner->edit->GetRegion(moved);
   }
   this->GetEditRepresentation()->SetRegion(moved);
 }
@@ -323,14 +308,14 @@ void vtkOversketchEditWidget::ShowMoved()
 void vtkOversketchEditWidget::FeedWidgets()
 {
   Internals& inner = *this->Inner;
-  vtkPolyData* mesh = inner.acted ? inner.system->GetInnerOutput("Distance") : nullptr;
+  vtkPolyData* mesh = inner.acted() ? inner.edit->GetInnerOutput("Distance") : nullptr;
   const MeshKey now = mesh ? WholeKey(mesh) : MeshKey();
   if (now != inner.fed)
   {
     inner.fed = now;
     const auto curve = [&](int port)
     {
-      return mesh ? vtkPolyData::SafeDownCast(inner.system->GetStep("Enclose")->GetInputDataObject(port, 0))
+      return mesh ? vtkPolyData::SafeDownCast(inner.edit->GetStep("Enclose")->GetInputDataObject(port, 0))
                   : nullptr;
     };
     inner.axes->SetCurve(curve(1), mesh);
@@ -338,12 +323,12 @@ void vtkOversketchEditWidget::FeedWidgets()
     inner.disc.setRegion(mesh);
   }
   // What is seen on the model is where the edit has taken it, with its new triangles.
-  inner.planes->ShowSectionOn(inner.acted ? inner.moved() : nullptr);
+  inner.planes->ShowSectionOn(inner.acted() ? inner.moved() : nullptr);
   const bool isNew =
-    inner.acted && inner.system->GetMovedPoints() > 0 && inner.system->GetRule() != vtkOversketchEdit::Off;
-  vtkPolyData* seen = !inner.acted ? nullptr
-                      : isNew      ? inner.system->GetInnerOutput("Retriangulate")
-                                   : inner.moved();
+    inner.acted() && inner.edit->GetMovedPoints() > 0 && inner.edit->GetRule() != vtkOversketchEdit::Off;
+  vtkPolyData* seen = !inner.acted() ? nullptr
+                      : isNew        ? inner.edit->GetInnerOutput("Retriangulate")
+                                     : inner.moved();
   const MeshKey shown = seen ? WholeKey(seen) : MeshKey();
   if (shown != inner.shown)
   {
@@ -352,26 +337,26 @@ void vtkOversketchEditWidget::FeedWidgets()
     inner.areas->SetRegion(seen);
   }
   vtkOversketchLayerHandleRepresentation* shading = inner.layers->GetLayerHandleRepresentation();
-  inner.axes->SetOperations(inner.system->GetOperations());
-  inner.layers->SetLayers(inner.system->GetLayers());
-  shading->SetLevels(inner.system->GetLevels());
-  inner.planes->SetProfileAt(inner.system->GetProfileAt());
+  inner.axes->SetOperations(inner.edit->GetOperations());
+  inner.layers->SetLayers(inner.edit->GetLayers());
+  shading->SetLevels(inner.edit->GetLevels());
+  inner.planes->SetProfileAt(inner.edit->GetProfileAt());
   inner.region->GetRegionRepresentation()->SetLineWas(
-    this->RegionInAllModes && inner.acted && inner.system->GetMovedPoints() > 0);
-  if (inner.acted)
+    this->RegionInAllModes && inner.acted() && inner.edit->GetMovedPoints() > 0);
+  if (inner.acted())
   {
     // What redraws the line is drawn over it where it was.
-    inner.region->ShowCurves(this->RegionInAllModes ? nullptr : inner.system->GetReferenceOutput(),
-      inner.system->GetBoundaryOutput());
+    inner.region->ShowCurves(
+      this->RegionInAllModes ? nullptr : inner.edit->GetReferenceOutput(), inner.edit->GetBoundaryOutput());
   }
-  const bool hasAreas = inner.acted && inner.areas->GetAreas()->GetNumberOfPoints() > 0;
-  auto* step = vtkOversketchShadingLevels::SafeDownCast(inner.system->GetStep("Shading"));
+  const bool hasAreas = inner.acted() && inner.areas->GetAreas()->GetNumberOfPoints() > 0;
+  auto* step = vtkOversketchShadingLevels::SafeDownCast(inner.edit->GetStep("Shading"));
   shading->SetDisplay(hasAreas ? step->GetDisplayOutput() : nullptr);
   inner.disc.follow(inner.layers, inner.areas);
-  inner.showAreas(inner.watched, this->Mode == Shade);
+  inner.showAreas(this->Mode == Shade);
 }
 
-void vtkOversketchEditWidget::Heard(vtkObject* from, unsigned long event, const char* text)
+void vtkOversketchEditWidget::Heard(vtkObject* from, unsigned long event, void* text)
 {
   const vtkSmartPointer<vtkOversketchEditWidget> alive(this); // an observer may let go of it
   Internals& inner = *this->Inner;
@@ -386,7 +371,7 @@ void vtkOversketchEditWidget::Heard(vtkObject* from, unsigned long event, const 
   }
   if (event == vtkCommand::MessageEvent)
   {
-    this->InvokeEvent(event, const_cast<char*>(text));
+    this->InvokeEvent(event, text);
     return;
   }
   if (event == vtkCommand::InteractionEvent && !isPen)
@@ -447,16 +432,14 @@ void vtkOversketchEditWidget::TakeUp()
       {
         if (held)
         {
-          widgets[i]->SetInteractor(this->Interactor);
-          widgets[i]->SetDefaultRenderer(this->CurrentRenderer);
-          widgets[i]->SetCurrentRenderer(this->CurrentRenderer);
+          workIn(this->CurrentRenderer, this->Interactor, widgets[i]);
         }
         widgets[i]->SetEnabled(held);
       }
     }
   }
   inner.disc.hold(isHeld(Shade), isHeld(Areas));
-  inner.showAreas(inner.watched, this->Mode == Shade);
+  inner.showAreas(this->Mode == Shade);
 }
 
 void vtkOversketchEditWidget::SetDiscRenderer(vtkRenderer* renderer)
@@ -484,9 +467,9 @@ void vtkOversketchEditWidget::Commit()
 {
   Internals& inner = *this->Inner;
   this->Update();
-  if (inner.acted)
+  if (inner.acted())
   {
-    inner.base->ShallowCopy(inner.output);
+    inner.commit();
     this->Begin();
     this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
     this->Render();
@@ -515,9 +498,9 @@ void vtkOversketchEditWidget::SetShowRegion(bool show)
 
 void vtkOversketchEditWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchEditWidget> self(static_cast<vtkOversketchEditWidget*>(widget));
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
-  if ((key == "Return" || key == "KP_Enter") && self->Inner->acted)
+  const auto self = oversketch::called<vtkOversketchEditWidget>(widget);
+  const std::string key = oversketch::keyOf(self->Interactor);
+  if ((key == "Return" || key == "KP_Enter") && self->Inner->acted())
   {
     self->EventCallbackCommand->SetAbortFlag(1);
     self->Commit();
@@ -535,20 +518,6 @@ void vtkOversketchEditWidget::SetRepresentation(vtkOversketchEditRepresentation*
   this->SetWidgetRepresentation(representation);
 }
 
-vtkOversketchEditRepresentation* vtkOversketchEditWidget::GetEditRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchEditRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchEditWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchEditRepresentation::New();
-  }
-}
-
 void vtkOversketchEditWidget::SetEnabled(int enabling)
 {
   Internals& inner = *this->Inner;
@@ -560,28 +529,18 @@ void vtkOversketchEditWidget::SetEnabled(int enabling)
       widget->SetEnabled(0);
     }
     inner.disc.hold(false, false);
-    inner.showAreas(inner.watched, false);
+    inner.showAreas(false);
   }
   this->Superclass::SetEnabled(enabling);
   if (before && !this->Enabled)
   {
-    this->StopWatching();
+    inner.stopWatching();
   }
   else if (!before && this->Enabled)
   {
-    inner.watched = this->CurrentRenderer;
-    inner.watched->AddObserver(vtkCommand::StartEvent, inner.rendererObserver);
+    inner.watch(this->CurrentRenderer, this);
     this->Update();
     this->TakeUp();
-  }
-}
-
-void vtkOversketchEditWidget::StopWatching()
-{
-  if (this->Inner->watched)
-  {
-    this->Inner->watched->RemoveObserver(this->Inner->rendererObserver);
-    this->Inner->watched = nullptr;
   }
 }
 

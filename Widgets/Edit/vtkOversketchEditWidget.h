@@ -188,7 +188,7 @@ private:
   // Callback of the event translator.
   static void Key(vtkAbstractWidget* widget);
 
-  void Heard(vtkObject* from, unsigned long event, const char* text);
+  void Heard(vtkObject* from, unsigned long event, void* text);
   void TakeUp();
   void ReadHand();
   void Connect();
@@ -197,7 +197,6 @@ private:
   void ShowMoved();
   void FeedWidgets();
   void Begin();
-  void StopWatching();
   void Say(const oversketch::Message& message);
 
   int Mode = Region;

@@ -5,12 +5,15 @@
 
 #include "Mesh/context.h"
 
+#include "vtkActor.h"
 #include "vtkNew.h"
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 
 #include <string>
+#include <vector>
 
 using oversketch::PenView;
 
@@ -18,6 +21,7 @@ struct vtkOversketchGripRepresentation::Internals
 {
   oversketch::Overlay overlay;
   vtkNew<vtkTextActor> text;
+  std::vector<vtkSmartPointer<vtkActor>> actors;
 };
 
 vtkOversketchGripRepresentation::vtkOversketchGripRepresentation()
@@ -43,10 +47,10 @@ int vtkOversketchGripRepresentation::GetGripAt(double x, double y)
   {
     return 0;
   }
-  const int* origin = this->Renderer->GetOrigin();
   try
   {
-    return this->FindGrip(PenView::of(this->Renderer).kernelView(), x - origin[0], y - origin[1]);
+    const oversketch::Vector2 at = oversketch::inViewport(this->Renderer, x, y);
+    return this->FindGrip(PenView::of(this->Renderer).kernelView(), at[0], at[1]);
   }
   catch (const oversketch::Error&)
   {
@@ -76,17 +80,31 @@ vtkTextProperty* vtkOversketchGripRepresentation::GetTextProperty()
   return this->Inner->text->GetTextProperty();
 }
 
+void vtkOversketchGripRepresentation::AddActor(vtkActor* actor)
+{
+  this->Inner->actors.emplace_back(actor);
+}
+
 void vtkOversketchGripRepresentation::BuildRepresentation() {}
 
 void vtkOversketchGripRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
+  for (vtkActor* actor : this->Inner->actors)
+  {
+    actor->ReleaseGraphicsResources(window);
+  }
   this->Inner->overlay.release(window);
   this->Inner->text->ReleaseGraphicsResources(window);
 }
 
 int vtkOversketchGripRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
 {
-  return this->Inner->text->GetVisibility() ? this->Inner->text->RenderOpaqueGeometry(viewport) : 0;
+  int drawn = 0;
+  for (vtkActor* actor : this->Inner->actors)
+  {
+    drawn += actor->GetVisibility() ? actor->RenderOpaqueGeometry(viewport) : 0;
+  }
+  return drawn + (this->Inner->text->GetVisibility() ? this->Inner->text->RenderOpaqueGeometry(viewport) : 0);
 }
 
 int vtkOversketchGripRepresentation::RenderOverlay(vtkViewport* viewport)

@@ -18,6 +18,7 @@
 
 #include <memory>
 
+class vtkActor;
 class vtkTextProperty;
 
 namespace oversketch
@@ -80,9 +81,12 @@ protected:
   vtkOversketchGripRepresentation();
   ~vtkOversketchGripRepresentation() override;
 
-  // In a view of the renderer, x and y from the viewport's lower left corner [px].
-  virtual int FindGrip(const oversketch::View& view, double x, double y) = 0;
-  virtual void Paint(const oversketch::View& view, oversketch::Overlay& overlay) = 0;
+  // In a view of the renderer, x and y from the viewport's lower left corner [px]; without grips, or nothing
+  // to be painted, an heir leaves it.
+  virtual int FindGrip(const oversketch::View&, double, double) { return 0; }
+  virtual void Paint(const oversketch::View&, oversketch::Overlay&) {}
+  // Draws an actor in the scene, too, while it is visible.
+  void AddActor(vtkActor* actor);
 
 private:
   vtkOversketchGripRepresentation(const vtkOversketchGripRepresentation&) = delete;

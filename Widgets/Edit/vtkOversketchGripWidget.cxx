@@ -10,16 +10,6 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
-namespace
-{
-
-vtkOversketchGripWidget* grips(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchGripWidget*>(widget);
-}
-
-} // namespace
-
 vtkOversketchGripWidget::vtkOversketchGripWidget()
 {
   this->KeyPressActivationOff();
@@ -79,7 +69,7 @@ void vtkOversketchGripWidget::StopDragging(bool keep)
 
 void vtkOversketchGripWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchGripWidget> self(grips(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchGripWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int at[2] = { from->GetEventPosition()[0], from->GetEventPosition()[1] };
   if (self->Dragging || from->GetShiftKey() || from->GetControlKey() || from->GetAltKey() ||
@@ -104,7 +94,7 @@ void vtkOversketchGripWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchGripWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchGripWidget> self(grips(widget));
+  const auto self = oversketch::called<vtkOversketchGripWidget>(widget);
   const int at[2] = { self->Interactor->GetEventPosition()[0], self->Interactor->GetEventPosition()[1] };
   if (self->Dragging)
   {
@@ -128,7 +118,7 @@ void vtkOversketchGripWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchGripWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchGripWidget> self(grips(widget));
+  const auto self = oversketch::called<vtkOversketchGripWidget>(widget);
   if (self->Dragging)
   {
     MoveTo(widget);
@@ -139,8 +129,8 @@ void vtkOversketchGripWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchGripWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchGripWidget> self(grips(widget));
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const auto self = oversketch::called<vtkOversketchGripWidget>(widget);
+  const std::string key = oversketch::keyOf(self->Interactor);
   bool used = self->Dragging;
   if (self->Dragging)
   {

@@ -2,11 +2,11 @@
 
 #include "drawn_curve.h"
 #include "edit_overlay.h"
-#include "layer_text.h"
 #include "pen_view.h"
 #include "region_patch.h"
 
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
 #include "vtkOversketchCarriedArrays.h"
 
 #include "vtkActor.h"
@@ -62,6 +62,25 @@ struct vtkOversketchLayerHandleRepresentation::Internals
   void place(PatchSide side);
   void paintRamp(const oversketch::Layers& layers);
   Vector3 knobOf(PatchSide side, const LayerHandle& handle) const;
+  // Place of the region under one of the window; none where a camera sees nothing.
+  SurfaceHit under(vtkRenderer* renderer, PatchSide side, double x, double y) const
+  {
+    try
+    {
+      return this->patch && renderer
+               ? this->patch->under(side, PenView::of(renderer).kernelView(), inViewport(renderer, x, y))
+               : SurfaceHit();
+    }
+    catch (const Error&)
+    {
+      return {};
+    }
+  }
+  // Line of a handle.
+  std::vector<std::array<Vector3, 2>> lineOf(PatchSide side, const LayerHandle& handle) const
+  {
+    return this->patch->level(side, std::clamp(handle.place, nearCurve, 1.0 - nearCurve));
+  }
 };
 
 // The patch with the coordinates of both textures: by share and by place on the disc.
@@ -166,6 +185,7 @@ vtkOversketchLayerHandleRepresentation::vtkOversketchLayerHandleRepresentation()
   inner.actor->GetProperty()->SetAmbient(0.35);
   inner.actor->GetProperty()->SetDiffuse(0.65);
   inner.actor->PickableOff();
+  this->AddActor(inner.actor);
   inner.layOut(PatchSide::Disc);
   this->Follow();
 }
@@ -281,57 +301,20 @@ vtkImageData* vtkOversketchLayerHandleRepresentation::GetDisplay()
 
 double vtkOversketchLayerHandleRepresentation::GetShareAt(double x, double y)
 {
-  const Internals& inner = *this->Inner;
-  if (!inner.patch || !this->Renderer)
-  {
-    return 1.0;
-  }
-  const int* origin = this->Renderer->GetOrigin();
-  try
-  {
-    const SurfaceHit hit = inner.patch->under(
-      patchSide(this->Side), PenView::of(this->Renderer).kernelView(), Vector2(x - origin[0], y - origin[1]));
-    return hit.found() ? inner.patch->shareAt(hit.at) : 1.0;
-  }
-  catch (const Error&)
-  {
-    return 1.0; // a camera that sees nothing
-  }
+  const SurfaceHit hit = this->Inner->under(this->Renderer, patchSide(this->Side), x, y);
+  return hit.found() ? this->Inner->patch->shareAt(hit.at) : 1.0;
 }
 
 bool vtkOversketchLayerHandleRepresentation::IsOnRegion(double x, double y)
 {
-  const Internals& inner = *this->Inner;
-  if (!inner.patch || !this->Renderer)
-  {
-    return false;
-  }
-  const int* origin = this->Renderer->GetOrigin();
-  try
-  {
-    return inner.patch
-      ->under(patchSide(this->Side),
-        PenView::of(this->Renderer).kernelView(),
-        Vector2(x - origin[0], y - origin[1]))
-      .found();
-  }
-  catch (const Error&)
-  {
-    return false;
-  }
+  return this->Inner->under(this->Renderer, patchSide(this->Side), x, y).found();
 }
 
 void vtkOversketchLayerHandleRepresentation::PutKnob(int handle, double x, double y)
 {
   Internals& inner = *this->Inner;
-  if (!inner.patch || !this->Renderer || handle < 0 || handle >= this->GetNumberOfHandles())
-  {
-    return;
-  }
-  const int* origin = this->Renderer->GetOrigin();
-  const SurfaceHit hit = inner.patch->under(
-    patchSide(this->Side), PenView::of(this->Renderer).kernelView(), Vector2(x - origin[0], y - origin[1]));
-  if (hit.found())
+  const SurfaceHit hit = inner.under(this->Renderer, patchSide(this->Side), x, y);
+  if (hit.found() && handle >= 0 && handle < this->GetNumberOfHandles())
   {
     inner.knobs[inner.shown[static_cast<std::size_t>(handle)].rest] = inner.patch->discAt(hit.at);
     this->Modified();
@@ -355,18 +338,13 @@ int vtkOversketchLayerHandleRepresentation::FindGrip(const View& view, double x,
   double least = this->GetGrabDistance();
   for (std::size_t i = 0; inner.patch && i < inner.shown.size(); ++i)
   {
-    const double share = std::clamp(inner.shown[i].place, nearCurve, 1.0 - nearCurve);
-    for (const auto& piece : inner.patch->level(patchSide(this->Side), share))
+    for (const Polyline& piece : segmentsIn(view, inner.lineOf(patchSide(this->Side), inner.shown[i])))
     {
-      if (view.inFront(piece[0]) && view.inFront(piece[1]))
+      const double apart = NearestPlace(piece)(Vector2(x, y)).distance;
+      if (apart <= least)
       {
-        const Polyline seen{ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() };
-        const double apart = NearestPlace(seen)(Vector2(x, y)).distance;
-        if (apart <= least)
-        {
-          least = apart;
-          found = static_cast<int>(i) + 1;
-        }
+        least = apart;
+        found = static_cast<int>(i) + 1;
       }
     }
   }
@@ -379,19 +357,10 @@ void vtkOversketchLayerHandleRepresentation::Paint(const View& view, Overlay& ov
   for (std::size_t i = 0; inner.patch && i < inner.shown.size(); ++i)
   {
     const bool isActive = this->GetActiveGrip() == static_cast<int>(i) + 1;
-    const double share = std::clamp(inner.shown[i].place, nearCurve, 1.0 - nearCurve);
-    for (const bool isRim : { true, false })
-    {
-      for (const auto& piece : inner.patch->level(patchSide(this->Side), share))
-      {
-        if (view.inFront(piece[0]) && view.inFront(piece[1]))
-        {
-          overlay.line({ view.toDisplay(piece[0]).head<2>(), view.toDisplay(piece[1]).head<2>() },
-            (isActive ? 4.0 : 2.5) + (isRim ? 2.0 : 0.0),
-            isRim ? inkGrey : regionOrange);
-        }
-      }
-    }
+    overlay.rimmed(segmentsIn(view, inner.lineOf(patchSide(this->Side), inner.shown[i])),
+      isActive ? 4.0 : 2.5,
+      regionOrange,
+      inkGrey);
     const Vector3 knob = inner.knobOf(patchSide(this->Side), inner.shown[i]);
     if (view.inFront(knob))
     {
@@ -403,20 +372,6 @@ void vtkOversketchLayerHandleRepresentation::Paint(const View& view, Overlay& ov
 double* vtkOversketchLayerHandleRepresentation::GetBounds()
 {
   return this->Inner->patch ? this->Inner->box : nullptr;
-}
-
-void vtkOversketchLayerHandleRepresentation::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Inner->actor->ReleaseGraphicsResources(window);
-  this->Inner->texture->ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
-}
-
-int vtkOversketchLayerHandleRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  vtkActor* actor = this->Inner->actor;
-  return (actor->GetVisibility() ? actor->RenderOpaqueGeometry(viewport) : 0) +
-         this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
 void vtkOversketchLayerHandleRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -102,14 +102,10 @@ public:
 
   int GetNumberOfHandles() const;
 
-  ///@{
   /**
    * As a prop.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  ///@}
 
 protected:
   vtkOversketchLayerHandleRepresentation();

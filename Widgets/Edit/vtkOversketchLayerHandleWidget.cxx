@@ -1,9 +1,10 @@
 #include "vtkOversketchLayerHandleWidget.h"
 
-#include "layer_text.h"
 #include "vtkOversketchLayerHandleRepresentation.h"
+#include "widget_events.h"
 
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -15,6 +16,7 @@ using namespace oversketch;
 using LayersShown = vtkOversketchLayerHandleRepresentation;
 
 vtkStandardNewMacro(vtkOversketchLayerHandleWidget);
+oversketchRepresentationMacro(LayerHandle);
 
 namespace
 {
@@ -161,20 +163,6 @@ void vtkOversketchLayerHandleWidget::SetRepresentation(vtkOversketchLayerHandleR
 {
   this->StopDragging(false);
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchLayerHandleRepresentation* vtkOversketchLayerHandleWidget::GetLayerHandleRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<LayersShown*>(this->WidgetRep);
-}
-
-void vtkOversketchLayerHandleWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = LayersShown::New();
-  }
 }
 
 void vtkOversketchLayerHandleWidget::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,7 +3,6 @@
 #include "drawn_curve.h"
 #include "edit_overlay.h"
 #include "pen_view.h"
-#include "profile_colours.h"
 
 #include "Mesh/context.h"
 #include "vtkOversketchFilterTools.h"
@@ -49,9 +48,8 @@ struct vtkOversketchProfilePlaneRepresentation::Internals
   vtkNew<vtkPolyData> borders;
   vtkNew<vtkActor> borderActor;
 
-  bool any() const { return this->hasPlanes && this->visible[0] + this->visible[1] + this->visible[2] > 0; }
   // The corners of a plane: normals are outward, side and along.
-  std::array<Vector3, 4> cornersOf(int plane) const
+  std::vector<Vector3> cornersOf(int plane) const
   {
     const Vector3 u = this->half * this->axes[plane == B ? 1 : 0],
                   v = this->half * this->axes[plane == N ? 1 : 2];
@@ -67,6 +65,8 @@ vtkOversketchProfilePlaneRepresentation::vtkOversketchProfilePlaneRepresentation
   mapper->SetInputData(inner.borders);
   inner.borderActor->SetMapper(mapper);
   inner.borderActor->PickableOff();
+  inner.borderActor->VisibilityOff();
+  this->AddActor(inner.borderActor);
   inner.borderActor->GetProperty()->LightingOff();
   inner.borderActor->GetProperty()->SetLineWidth(2.0f);
 }
@@ -96,8 +96,7 @@ int vtkOversketchProfilePlaneRepresentation::GetNumberOfVisiblePlanes() const
 void vtkOversketchProfilePlaneRepresentation::SetCurve(vtkPolyData* curve, const double box[6])
 {
   Internals& inner = *this->Inner;
-  const std::vector<WorldLine> lines = linesOf(curve);
-  inner.curve = lines.empty() ? std::vector<Vector3>() : lines[0].points;
+  inner.curve = firstLineOf(curve);
   inner.shares = sharesOf(inner.curve);
   inner.half = planeReach * (Vector3(box[1], box[3], box[5]) - Vector3(box[0], box[2], box[4])).norm();
   this->LayOut();
@@ -116,8 +115,7 @@ void vtkOversketchProfilePlaneRepresentation::SetSection(vtkPolyData* planes, vt
     }
     inner.origin[row] = frame->GetComponent(0, 4 * row + 3);
   }
-  const std::vector<WorldLine> lines = linesOf(section);
-  inner.section = lines.empty() ? std::vector<Vector3>() : lines[0].points;
+  inner.section = firstLineOf(section);
   this->LayOut();
 }
 
@@ -149,6 +147,7 @@ void vtkOversketchProfilePlaneRepresentation::LayOut()
   inner.borders->SetPoints(points);
   inner.borders->GetCellData()->SetScalars(colours);
   inner.borders->SetLines(borders);
+  inner.borderActor->SetVisibility(borders->GetNumberOfCells() > 0);
   this->Modified();
 }
 
@@ -183,8 +182,7 @@ int vtkOversketchProfilePlaneRepresentation::FindGrip(const View& view, double x
   {
     return B + 1;
   }
-  const auto corners = inner.cornersOf(B);
-  return this->GetPlaneVisibility(B) && near({ corners.begin(), corners.end() }, true) ? B + 1 : 0;
+  return this->GetPlaneVisibility(B) && near(inner.cornersOf(B), true) ? B + 1 : 0;
 }
 
 void vtkOversketchProfilePlaneRepresentation::Paint(const View& view, Overlay& overlay)
@@ -197,8 +195,7 @@ void vtkOversketchProfilePlaneRepresentation::Paint(const View& view, Overlay& o
   // A tint over all else, since what is half transparent would hang on the order that a scene is drawn in.
   for (const int plane : { N, T, B })
   {
-    const auto corners = inner.cornersOf(plane);
-    const std::vector<Polyline> square = seenIn(view, { corners.begin(), corners.end() });
+    const std::vector<Polyline> square = seenIn(view, inner.cornersOf(plane));
     if (this->GetPlaneVisibility(plane) && square.size() == 1 && square[0].size() == 4)
     {
       Colour tint = planeColours[plane];
@@ -207,28 +204,12 @@ void vtkOversketchProfilePlaneRepresentation::Paint(const View& view, Overlay& o
     }
   }
   const bool isActive = this->GetActiveGrip() == B + 1;
-  for (const Polyline& piece : seenIn(view, inner.curve))
-  {
-    overlay.line(piece, 5.0, paperWhite);
-    overlay.line(piece, 3.0, strokeRed);
-  }
-  paintProfile(overlay, seenIn(view, inner.section), isActive ? 6.0 : 4.0);
+  overlay.rimmed(seenIn(view, inner.curve), 3.0, strokeRed);
+  overlay.profile(seenIn(view, inner.section), isActive ? 6.0 : 4.0);
   if (view.inFront(inner.origin))
   {
     overlay.knob(view.toDisplay(inner.origin).head<2>(), isActive ? 8.0 : 6.5, regionOrange);
   }
-}
-
-void vtkOversketchProfilePlaneRepresentation::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Inner->borderActor->ReleaseGraphicsResources(window);
-  this->Superclass::ReleaseGraphicsResources(window);
-}
-
-int vtkOversketchProfilePlaneRepresentation::RenderOpaqueGeometry(vtkViewport* viewport)
-{
-  return (this->Inner->any() ? this->Inner->borderActor->RenderOpaqueGeometry(viewport) : 0) +
-         this->Superclass::RenderOpaqueGeometry(viewport);
 }
 
 void vtkOversketchProfilePlaneRepresentation::PrintSelf(ostream& os, vtkIndent indent)

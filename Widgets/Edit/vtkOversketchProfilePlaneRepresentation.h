@@ -62,14 +62,6 @@ public:
   double GetSlid(double t, const int from[2], const int to[2]);
   ///@}
 
-  ///@{
-  /**
-   * As a prop.
-   */
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-  int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  ///@}
-
 protected:
   vtkOversketchProfilePlaneRepresentation();
   ~vtkOversketchProfilePlaneRepresentation() override;

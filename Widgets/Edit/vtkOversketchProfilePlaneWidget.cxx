@@ -1,17 +1,17 @@
 #include "vtkOversketchProfilePlaneWidget.h"
 
-#include "stroke_list.h"
+#include "drawn_curve.h"
+#include "hosted_system.h"
+#include "pen_stroke.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchProfilePlaneRepresentation.h"
 #include "vtkOversketchProfilePlanes.h"
 #include "vtkOversketchProfileRepresentation.h"
-#include "vtkOversketchStepRunner.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
-#include "Mesh/context.h"
-
-#include "vtkCallbackCommand.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
@@ -32,6 +32,7 @@ using namespace oversketch;
 using PlanesShown = vtkOversketchProfilePlaneRepresentation;
 
 vtkStandardNewMacro(vtkOversketchProfilePlaneWidget);
+oversketchRepresentationMacro(ProfilePlane);
 
 struct vtkOversketchProfilePlaneWidget::Internals
 {
@@ -44,6 +45,7 @@ struct vtkOversketchProfilePlaneWidget::Internals
   vtkNew<vtkOversketchProfileRepresentation> profile;
   vtkWeakPointer<vtkRenderer> window;
   vtkWeakPointer<vtkRenderWindowInteractor> heard;
+  unsigned long keyTag = 0;
 };
 
 namespace
@@ -52,26 +54,16 @@ namespace
 // The box of a region, all of a mesh where it says nothing.
 void boxOf(vtkPolyData* mesh, double box[6])
 {
-  mesh->GetBounds(box);
   vtkDataArray* labels = mesh->GetPointData()->GetArray("EditRegion");
-  double inner[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  vtkBoundingBox region;
   for (vtkIdType i = 0; labels && i < mesh->GetNumberOfPoints(); ++i)
   {
     if (labels->GetComponent(i, 0) > 0.0)
     {
-      const double* p = mesh->GetPoint(i);
-      const bool first = inner[0] > inner[1];
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        inner[2 * axis] = first ? p[axis] : std::min(inner[2 * axis], p[axis]);
-        inner[2 * axis + 1] = first ? p[axis] : std::max(inner[2 * axis + 1], p[axis]);
-      }
+      region.AddPoint(mesh->GetPoint(i));
     }
   }
-  if (inner[0] <= inner[1])
-  {
-    std::copy_n(inner, 6, box);
-  }
+  region.IsValid() ? region.GetBounds(box) : mesh->GetBounds(box);
 }
 
 } // namespace
@@ -87,25 +79,12 @@ vtkOversketchProfilePlaneWidget::vtkOversketchProfilePlaneWidget()
   inner.section->SetBoundaryData(inner.boundary);
   inner.section->SetPlanesConnection(inner.planes->GetOutputPort());
   this->Pen->CommitOnReleaseOff();
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkOversketchProfilePlaneWidget*>(self)->TakeStroke(); });
-  this->Pen->AddObserver(vtkCommand::WidgetValueChangedEvent, this->PenObserver);
-  this->KeyObserver->SetClientData(this);
-  this->KeyObserver->SetCallback(
-    [](vtkObject* from, unsigned long, void* self, void*)
-    {
-      const char* key = static_cast<vtkRenderWindowInteractor*>(from)->GetKeySym();
-      if (key && std::string(key) == "Escape")
-      {
-        static_cast<vtkOversketchProfilePlaneWidget*>(self)->TakeBack();
-      }
-    });
+  this->Pen->AddObserver(
+    vtkCommand::WidgetValueChangedEvent, this, &vtkOversketchProfilePlaneWidget::TakeStroke);
 }
 
 vtkOversketchProfilePlaneWidget::~vtkOversketchProfilePlaneWidget()
 {
-  this->Pen->RemoveObserver(this->PenObserver);
   this->vtkOversketchProfilePlaneWidget::SetEnabled(0);
   this->vtkOversketchProfilePlaneWidget::SetProfileRenderer(nullptr);
 }
@@ -143,33 +122,32 @@ bool vtkOversketchProfilePlaneWidget::Cut()
 {
   Internals& inner = *this->Inner;
   PlanesShown* shown = this->GetProfilePlaneRepresentation();
-  std::string message;
+  Message message;
   inner.flat->Initialize();
   inner.onModel->Initialize();
   vtkPolyData* planes = nullptr;
   if (inner.mesh->GetNumberOfPoints() > 0)
   {
     inner.planes->SetT(this->ProfileAt);
-    try
+    const auto [placed, aboutPlanes] = ranTold(inner.planes);
+    message = aboutPlanes;
+    if (placed)
     {
-      StepRunner::Listener listener;
-      listener.warning = [&](const Message& warning) { message = warning.text(); };
-      StepRunner(inner.planes, listener).Run();
       planes = inner.planes->GetOutput();
-      StepRunner(inner.section, listener).Run();
-      inner.flat->ShallowCopy(inner.section->GetOutput());
-      inner.onModel->ShallowCopy(inner.section->GetSectionOutput());
-    }
-    catch (const Error& error)
-    {
-      message = error.what();
+      const auto [cut, aboutSection] = ranTold(inner.section);
+      message = aboutSection.empty() ? message : aboutSection;
+      if (cut)
+      {
+        inner.flat->ShallowCopy(inner.section->GetOutput());
+        inner.onModel->ShallowCopy(inner.section->GetSectionOutput());
+      }
     }
   }
   this->ShowSection(planes);
   shown->SetText("");
   if (!message.empty())
   {
-    this->Tell(message);
+    this->Tell(message.text());
   }
   this->ShowProfile();
   return inner.flat->GetNumberOfPoints() > 0;
@@ -283,7 +261,7 @@ void vtkOversketchProfilePlaneWidget::SetProfileRenderer(vtkRenderer* renderer)
   this->Pen->SetEnabled(0);
   if (inner.heard)
   {
-    inner.heard->RemoveObserver(this->KeyObserver);
+    inner.heard->RemoveObserver(inner.keyTag);
   }
   if (inner.window)
   {
@@ -298,10 +276,12 @@ void vtkOversketchProfilePlaneWidget::SetProfileRenderer(vtkRenderer* renderer)
   {
     renderer->AddViewProp(inner.profile);
     inner.profile->ResetView();
-    inner.heard->AddObserver(vtkCommand::KeyPressEvent, this->KeyObserver, 0.4f); // after the pen
-    this->Pen->SetInteractor(inner.heard);
-    this->Pen->SetDefaultRenderer(renderer);
-    this->Pen->SetCurrentRenderer(renderer);
+    inner.keyTag = inner.heard->AddObserver( // after the pen
+      vtkCommand::KeyPressEvent,
+      this,
+      &vtkOversketchProfilePlaneWidget::TakeBack,
+      0.4f);
+    workIn(renderer, inner.heard, this->Pen);
   }
   this->ReadyPen();
 }
@@ -346,7 +326,8 @@ void vtkOversketchProfilePlaneWidget::TakeBack()
 {
   const vtkSmartPointer<vtkOversketchProfilePlaneWidget> alive(this); // an observer may let go of it
   std::vector<vtkSmartPointer<vtkPolyData>> strokes = strokesOf(this->Profile);
-  if (this->Enabled && !strokes.empty() && !this->Pen->IsDrawing() && !this->Pen->IsWaiting())
+  if (oversketch::keyOf(this->Inner->heard) == "Escape" && this->Enabled && !strokes.empty() &&
+      !this->Pen->IsDrawing() && !this->Pen->IsWaiting())
   {
     strokes.pop_back();
     putInto(this->Profile, strokes);
@@ -415,20 +396,6 @@ void vtkOversketchProfilePlaneWidget::SetRepresentation(
   this->SetWidgetRepresentation(representation);
   this->ShowRegion();
   this->Cut();
-}
-
-vtkOversketchProfilePlaneRepresentation* vtkOversketchProfilePlaneWidget::GetProfilePlaneRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<PlanesShown*>(this->WidgetRep);
-}
-
-void vtkOversketchProfilePlaneWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = PlanesShown::New();
-  }
 }
 
 void vtkOversketchProfilePlaneWidget::PrintSelf(ostream& os, vtkIndent indent)

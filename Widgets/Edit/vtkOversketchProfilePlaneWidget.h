@@ -36,7 +36,6 @@
 #include <memory>
 
 class vtkAlgorithmOutput;
-class vtkCallbackCommand;
 class vtkOversketchProfilePlaneRepresentation;
 class vtkOversketchProfileRepresentation;
 class vtkOversketchStrokeWidget;
@@ -133,7 +132,6 @@ private:
   int From[2] = { 0, 0 };
   vtkNew<vtkPolyData> Profile;
   vtkNew<vtkOversketchStrokeWidget> Pen;
-  vtkNew<vtkCallbackCommand> PenObserver, KeyObserver;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

@@ -1,19 +1,15 @@
 #include "vtkOversketchProfileRepresentation.h"
 
 #include "drawn_curve.h"
-#include "profile_colours.h"
+#include "edit_overlay.h"
 
 #include "Mesh/context.h"
 #include "Stroke/canvas.h"
 #include "Stroke/resketch.h"
-#include "stroke_list.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 
@@ -27,15 +23,7 @@ struct vtkOversketchProfileRepresentation::Internals
 {
   std::vector<Vector3> profile, drawn; // z = 0; drawn is empty without strokes
 
-  Polyline flat() const
-  {
-    Polyline points;
-    for (const Vector3& p : this->drawn.empty() ? this->profile : this->drawn)
-    {
-      points.emplace_back(p.head<2>());
-    }
-    return points;
-  }
+  const std::vector<Vector3>& now() const { return this->drawn.empty() ? this->profile : this->drawn; }
 };
 
 vtkOversketchProfileRepresentation::vtkOversketchProfileRepresentation()
@@ -48,20 +36,14 @@ vtkOversketchProfileRepresentation::~vtkOversketchProfileRepresentation() = defa
 void vtkOversketchProfileRepresentation::SetProfile(vtkPolyData* profile, vtkPolyData* strokes)
 {
   Internals& inner = *this->Inner;
-  const std::vector<WorldLine> lines = linesOf(profile);
-  inner.profile = lines.empty() ? std::vector<Vector3>() : lines[0].points;
+  inner.profile = firstLineOf(profile);
   inner.drawn.clear();
   for (const auto& stroke : strokesOf(inner.profile.empty() ? nullptr : strokes))
   {
     Polyline fresh;
-    const std::vector<WorldLine> line = linesOf(stroke);
-    for (const Vector3& p : line.at(0).points)
-    {
-      fresh.emplace_back(p.head<2>());
-    }
     try
     {
-      fresh = ontoCanvas(ViewOf(stroke), fresh);
+      fresh = ontoCanvas(ViewOf(stroke), flat(firstLineOf(stroke)));
     }
     catch (const Error& error)
     {
@@ -69,8 +51,9 @@ void vtkOversketchProfileRepresentation::SetProfile(vtkPolyData* profile, vtkPol
       continue;
     }
     ResketchRules rules;
-    rules.spacing = arcLengths(inner.flat()).back() / 400.0; // as the edit samples a drawn profile
-    const Polyline merged = resketch(inner.flat(), fresh, rules).points;
+    const Polyline before = flat(inner.now());
+    rules.spacing = arcLengths(before).back() / 400.0; // as the edit samples a drawn profile
+    const Polyline merged = resketch(before, fresh, rules).points;
     inner.drawn.clear();
     for (const Vector2& p : merged)
     {
@@ -82,21 +65,7 @@ void vtkOversketchProfileRepresentation::SetProfile(vtkPolyData* profile, vtkPol
 
 void vtkOversketchProfileRepresentation::GetDrawn(vtkPolyData* drawn)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  const Polyline flat = this->Inner->flat();
-  if (!flat.empty())
-  {
-    lines->InsertNextCell(static_cast<int>(flat.size()));
-  }
-  for (const Vector2& p : flat)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  drawn->Initialize();
-  drawn->SetPoints(points);
-  drawn->SetLines(lines);
+  putLine(drawn, this->Inner->now());
 }
 
 void vtkOversketchProfileRepresentation::ResetView()
@@ -106,7 +75,7 @@ void vtkOversketchProfileRepresentation::ResetView()
     return;
   }
   Vector2 low(0.0, 0.0), high(1.0, 0.0);
-  for (const Vector2& p : this->Inner->flat())
+  for (const Vector2& p : flat(this->Inner->now()))
   {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
@@ -121,11 +90,6 @@ void vtkOversketchProfileRepresentation::ResetView()
   camera->SetPosition(middle[0], middle[1], 10.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   camera->SetClippingRange(5.0, 15.0);
-}
-
-int vtkOversketchProfileRepresentation::FindGrip(const View&, double, double)
-{
-  return 0;
 }
 
 void vtkOversketchProfileRepresentation::Paint(const View& view, Overlay& overlay)
@@ -143,12 +107,8 @@ void vtkOversketchProfileRepresentation::Paint(const View& view, Overlay& overla
   overlay.line({ from, from + 40.0 * up }, 2.5, inkGrey);
   overlay.polygon(
     { from + 50.0 * up, from + 36.0 * up + 7.0 * beside, from + 36.0 * up - 7.0 * beside }, inkGrey);
-  paintProfile(overlay, seenIn(view, inner.profile), 4.0);
-  for (const Polyline& piece : seenIn(view, inner.drawn))
-  {
-    overlay.line(piece, 5.0, paperWhite);
-    overlay.line(piece, 3.0, strokeRed);
-  }
+  overlay.profile(seenIn(view, inner.profile), 4.0);
+  overlay.rimmed(seenIn(view, inner.drawn), 3.0, strokeRed);
 }
 
 void vtkOversketchProfileRepresentation::PrintSelf(ostream& os, vtkIndent indent)

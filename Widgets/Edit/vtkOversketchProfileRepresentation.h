@@ -45,7 +45,6 @@ protected:
   vtkOversketchProfileRepresentation();
   ~vtkOversketchProfileRepresentation() override;
 
-  int FindGrip(const oversketch::View& view, double x, double y) override;
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:

@@ -4,8 +4,6 @@
 #include "edit_overlay.h"
 #include "pen_view.h"
 
-#include "Mesh/context.h"
-
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
@@ -52,20 +50,10 @@ void vtkOversketchRegionRepresentation::SetBoundary(vtkPolyData* ring)
 
 double vtkOversketchRegionRepresentation::DistanceTo(int curve, double x, double y)
 {
-  if (!this->Renderer || (curve != Reference && curve != Boundary))
-  {
-    return std::numeric_limits<double>::infinity();
-  }
-  const int* origin = this->Renderer->GetOrigin();
-  try
-  {
-    return this->Inner->distance(
-      PenView::of(this->Renderer).kernelView(), curve, Vector2(x - origin[0], y - origin[1]));
-  }
-  catch (const Error&)
-  {
-    return std::numeric_limits<double>::infinity(); // a camera that sees nothing
-  }
+  const bool isCurve = curve == Reference || curve == Boundary;
+  const auto view = this->Renderer && isCurve ? PenView::of(this->Renderer).sight() : std::nullopt;
+  return view ? this->Inner->distance(*view, curve, inViewport(this->Renderer, x, y))
+              : std::numeric_limits<double>::infinity();
 }
 
 int vtkOversketchRegionRepresentation::FindGrip(const View& view, double x, double y)
@@ -87,12 +75,9 @@ void vtkOversketchRegionRepresentation::Paint(const View& view, Overlay& overlay
                                                            : 3.0) +
                            (isRim && !isThin ? 2.0 : 0.0);
       const Colour colour = isRim ? paperWhite : curve == Boundary ? sectionBlue : strokeRed;
-      for (const WorldLine& line : this->Inner->curves[curve - Reference])
+      for (const Polyline& piece : seenIn(view, this->Inner->curves[curve - Reference]))
       {
-        for (const Polyline& piece : seenIn(view, line.points, line.closed))
-        {
-          overlay.line(piece, width, colour);
-        }
+        overlay.line(piece, width, colour);
       }
     }
   }

@@ -1,10 +1,11 @@
 #include "vtkOversketchRegionWidget.h"
 
 #include "drawn_curve.h"
-#include "stroke_list.h"
+#include "pen_stroke.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchRegionRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "widget_events.h"
 
 #include "Mesh/context.h"
 
@@ -14,7 +15,6 @@
 #include "vtkIdList.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
@@ -30,6 +30,7 @@
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchRegionWidget);
+oversketchRepresentationMacro(Region);
 
 struct vtkOversketchRegionWidget::Internals
 {
@@ -38,6 +39,10 @@ struct vtkOversketchRegionWidget::Internals
   {
     std::vector<vtkSmartPointer<vtkPolyData>> strokes;
     std::vector<std::vector<Vector3>> laid;
+    std::vector<Vector3> shown() const
+    {
+      return this->laid.empty() ? std::vector<Vector3>() : this->laid.back();
+    }
   };
   Curve line, ring;
   std::vector<Curve*> order; // of what was drawn, since line and ring are there
@@ -79,41 +84,6 @@ void closeLine(vtkPolyData* stroke)
   stroke->SetLines(lines);
 }
 
-// The samples, of a closed one without the first one's repetition.
-Polyline samplesOf(vtkPolyData* stroke)
-{
-  Polyline samples;
-  const std::vector<WorldLine> lines = linesOf(stroke);
-  for (const Vector3& p : lines.at(0).points)
-  {
-    samples.emplace_back(p.head<2>());
-  }
-  return samples;
-}
-
-void putLine(vtkPolyData* shown, const std::vector<std::vector<Vector3>>& laid, bool closed)
-{
-  shown->Initialize();
-  if (laid.empty())
-  {
-    return;
-  }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(laid.back().size()) + closed);
-  for (const Vector3& p : laid.back())
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p.data()));
-  }
-  if (closed)
-  {
-    lines->InsertCellPoint(0);
-  }
-  shown->SetPoints(points);
-  shown->SetLines(lines);
-}
-
 } // namespace
 
 vtkOversketchRegionWidget::vtkOversketchRegionWidget()
@@ -124,10 +94,7 @@ vtkOversketchRegionWidget::vtkOversketchRegionWidget()
   this->CallbackMapper->SetCallbackMethod(vtkCommand::MouseMoveEvent, vtkWidgetEvent::Move, this, Hover);
 }
 
-vtkOversketchRegionWidget::~vtkOversketchRegionWidget()
-{
-  this->PutPenDown();
-}
+vtkOversketchRegionWidget::~vtkOversketchRegionWidget() = default;
 
 vtkAlgorithmOutput* vtkOversketchRegionWidget::GetReferencePort()
 {
@@ -185,8 +152,8 @@ void vtkOversketchRegionWidget::Publish()
 void vtkOversketchRegionWidget::ShowCurves(vtkPolyData* reference, vtkPolyData* boundary)
 {
   Internals& inner = *this->Inner;
-  putLine(inner.shownLine, inner.line.laid, false);
-  putLine(inner.shownRing, inner.ring.laid, true);
+  putLine(inner.shownLine, inner.line.shown());
+  putLine(inner.shownRing, inner.ring.shown(), true);
   vtkOversketchRegionRepresentation* shown = this->GetRegionRepresentation();
   shown->SetReference(reference ? reference : inner.shownLine.Get());
   shown->SetBoundary(boundary ? boundary : inner.shownRing.Get());
@@ -212,7 +179,7 @@ bool vtkOversketchRegionWidget::SetRegion(vtkPolyData* reference, vtkPolyData* b
         const bool isRing = curve == &ring;
         if (Internals::isOfEdit(stroke))
         {
-          curve->laid.push_back(linesOf(stroke).at(0).points);
+          curve->laid.push_back(firstLineOf(stroke));
           continue;
         }
         const View view = ViewOf(stroke);
@@ -220,7 +187,7 @@ bool vtkOversketchRegionWidget::SetRegion(vtkPolyData* reference, vtkPolyData* b
         {
           closeLine(stroke);
         }
-        const Polyline samples = samplesOf(stroke);
+        const Polyline samples = flat(firstLineOf(stroke));
         const std::vector<Vector3> laid = laidOn(inner.surface(),
           view,
           samples,
@@ -260,7 +227,7 @@ bool vtkOversketchRegionWidget::TakeStroke(vtkPolyData* stroke, bool over)
   try
   {
     const View view = ViewOf(stroke);
-    const Polyline samples = samplesOf(stroke);
+    const Polyline samples = flat(firstLineOf(stroke));
     const double* focus = this->CurrentRenderer->GetActiveCamera()->GetFocalPoint();
     std::vector<Vector3> laid = laidOn(inner.surface(), view, samples, view.depth(Vector3(focus)));
     if (over)
@@ -328,7 +295,7 @@ void vtkOversketchRegionWidget::ShowText(const std::string& text)
 
 void vtkOversketchRegionWidget::Hover(vtkAbstractWidget* widget)
 {
-  auto* self = static_cast<vtkOversketchRegionWidget*>(widget);
+  const auto self = oversketch::called<vtkOversketchRegionWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
   vtkOversketchRegionRepresentation* shown = self->GetRegionRepresentation();
   const int grip = self->Interactor->GetShiftKey() && self->CurrentRenderer &&
@@ -346,20 +313,6 @@ void vtkOversketchRegionWidget::SetRepresentation(vtkOversketchRegionRepresentat
 {
   this->SetWidgetRepresentation(representation);
   this->ShowCurves(nullptr, nullptr);
-}
-
-vtkOversketchRegionRepresentation* vtkOversketchRegionWidget::GetRegionRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchRegionRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchRegionWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchRegionRepresentation::New();
-  }
 }
 
 void vtkOversketchRegionWidget::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,42 +1,172 @@
 #include "vtkOversketchLiveStrokeWidget.h"
 
-#include "live_stroke.h"
+#include "hosted_system.h"
 #include "vtkOversketchLiveStrokeRepresentation.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 #include "vtkOversketchSystem.h"
+#include "widget_events.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkTrivialProducer.h"
 
 #include <string>
 
-struct vtkOversketchLiveStrokeWidget::Internals
-{
-  oversketch::LiveStroke live;
-  std::string told; // the message that was sent
+oversketchRepresentationMacro(LiveStroke);
 
-  explicit Internals(vtkPolyData* stroke)
-    : live(stroke)
+// The stroke that can still be changed, and the mesh that it made of the base.
+struct vtkOversketchLiveStrokeWidget::Internals : oversketch::HostedSystem
+{
+  vtkSmartPointer<vtkPolyData> stroke;
+  vtkNew<vtkPolyData> result;         // the output, but for what is dragged
+  vtkSmartPointer<vtkPoints> dragged; // null while the output is the result
+  vtkNew<vtkPolyData> held;           // what the last run took hold of
+  bool stale = false;
+
+  explicit Internals(vtkPolyData* live)
+    : stroke(live)
   {
   }
+
+  bool exists() { return this->stroke->GetNumberOfPoints() > 0; }
+  // It is another one, or has been changed.
+  void strokeChanges()
+  {
+    this->endDrag();
+    this->stale = true;
+  }
+  // The mesh that the stroke made becomes the one that the next is drawn on; or the mesh is again as before.
+  void commit()
+  {
+    this->endDrag();
+    if (this->exists())
+    {
+      this->HostedSystem::commit();
+      this->forget();
+    }
+  }
+  void drop()
+  {
+    this->endDrag();
+    this->HostedSystem::drop();
+    this->result->ShallowCopy(this->base());
+    this->forget();
+  }
+  void forget()
+  {
+    this->stroke->Initialize();
+    this->held->Initialize();
+    this->stale = false;
+    this->say({});
+  }
+  bool update(bool& isNews);
+  // Asks the system for a preview, which changes none of its parameters.
+  template <typename Question>
+  void ask(const Question& question)
+  {
+    const bool current = !this->exists() || !this->isNewer();
+    question();
+    if (current)
+    {
+      this->look();
+    }
+  }
+  bool middle(double place[3]);
+  // The part of the present mesh that moved; empty where there is none.
+  vtkSmartPointer<vtkPolyData> region()
+  {
+    auto part = vtkSmartPointer<vtkPolyData>::New();
+    if (this->acted())
+    {
+      this->system()->GetRegion(part);
+    }
+    return part;
+  }
+  void drag(const double translation[3]);
+  void endDrag()
+  {
+    if (this->dragged)
+    {
+      this->dragged = nullptr;
+      this->output()->ShallowCopy(this->result);
+    }
+  }
 };
+
+// Brings the mesh up to date where the source, the stroke or the system has changed. A source that has
+// changed starts anew, without a stroke. Returns whether anything changed.
+bool vtkOversketchLiveStrokeWidget::Internals::update(bool& isNews)
+{
+  const bool isOther = this->follow();
+  if (isOther)
+  {
+    this->drop();
+  }
+  if (!this->exists() || this->dragged || !(this->stale || this->isNewer()))
+  {
+    return isOther;
+  }
+  this->system()->SetInputData(0, this->base());
+  this->system()->SetInputData(1, this->stroke);
+  const oversketch::Message why =
+    this->run([](const oversketch::Message& warning) { vtkGenericWarningMacro(<< warning.text()); });
+  isNews = this->say(this->acted() ? oversketch::Message() : why);
+  this->stale = false;
+  this->held->Initialize();
+  this->result->ShallowCopy(this->output());
+  if (this->acted())
+  {
+    this->system()->GetHold(this->held);
+  }
+  return true;
+}
+
+// A place in the middle of what the stroke took hold of; of the mesh where it did not. False without a
+// stroke.
+bool vtkOversketchLiveStrokeWidget::Internals::middle(double place[3])
+{
+  if (!this->exists() || (this->held->GetNumberOfPoints() == 0 && this->base()->GetNumberOfPoints() == 0))
+  {
+    return false;
+  }
+  if (this->held->GetNumberOfPoints() > 0)
+  {
+    this->held->GetPoint(this->held->GetNumberOfPoints() / 2, place);
+  }
+  else
+  {
+    this->base()->GetCenter(place);
+  }
+  return true;
+}
+
+// Shows the mesh with the stroke moved by a vector [world], where the system can tell.
+void vtkOversketchLiveStrokeWidget::Internals::drag(const double translation[3])
+{
+  if (!this->acted() || this->stale)
+  {
+    return; // only the line goes
+  }
+  if (!this->dragged)
+  {
+    this->dragged = vtkSmartPointer<vtkPoints>::New();
+    this->dragged->SetDataType(this->result->GetPoints()->GetDataType());
+    this->dragged->DeepCopy(this->result->GetPoints());
+  }
+  if (this->system()->Drag(translation, this->dragged))
+  {
+    this->output()->SetPoints(this->dragged);
+    this->output()->Modified();
+  }
+}
 
 vtkOversketchLiveStrokeWidget::vtkOversketchLiveStrokeWidget()
   : Inner(std::make_unique<Internals>(this->GetStroke()))
 {
-  // The renderer is about to draw the mesh; the window a frame, perhaps of the pen alone.
-  this->RendererObserver->SetClientData(this);
-  this->RendererObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkOversketchLiveStrokeWidget*>(self)->Update(); });
-  this->FrameObserver->SetClientData(this);
-  this->FrameObserver->SetCallback([](vtkObject*, unsigned long, void* self, void*)
-    { static_cast<vtkOversketchLiveStrokeWidget*>(self)->LookNow(); });
 }
 
 vtkOversketchLiveStrokeWidget::~vtkOversketchLiveStrokeWidget()
@@ -46,52 +176,50 @@ vtkOversketchLiveStrokeWidget::~vtkOversketchLiveStrokeWidget()
 
 void vtkOversketchLiveStrokeWidget::SetInputConnection(vtkAlgorithmOutput* mesh)
 {
-  this->Inner->live.setSource(mesh);
+  this->Inner->setSource(mesh);
 }
 
 void vtkOversketchLiveStrokeWidget::SetInputData(vtkPolyData* mesh)
 {
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(mesh);
-  this->SetInputConnection(producer->GetOutputPort());
+  this->Inner->setSource(mesh);
 }
 
 vtkAlgorithmOutput* vtkOversketchLiveStrokeWidget::GetOutputPort()
 {
-  return this->Inner->live.outputPort();
+  return this->Inner->outputPort();
 }
 
 vtkPolyData* vtkOversketchLiveStrokeWidget::GetOutput()
 {
-  return this->Inner->live.output();
+  return this->Inner->output();
 }
 
 void vtkOversketchLiveStrokeWidget::Update()
 {
-  if (!this->IsMoving() && this->Inner->live.update())
+  bool isNews = false;
+  if (!this->IsMoving() && this->Inner->update(isNews))
   {
     this->Refresh();
   }
-  const std::string message = this->GetMessage();
-  if (message != this->Inner->told)
+  if (isNews)
   {
-    this->Inner->told = message;
-    if (!message.empty())
-    {
-      this->Tell(message);
-    }
+    this->Tell(this->GetMessage());
   }
 }
 
 void vtkOversketchLiveStrokeWidget::SetSystem(vtkOversketchSystem* system)
 {
   this->EndMove(false);
-  this->Inner->live.setSystem(system);
+  if (system && system != this->GetSystem())
+  {
+    this->Inner->setSystem(system);
+    this->Inner->strokeChanges();
+  }
 }
 
 vtkOversketchSystem* vtkOversketchLiveStrokeWidget::GetSystem()
 {
-  return this->Inner->live.system();
+  return this->Inner->system();
 }
 
 void vtkOversketchLiveStrokeWidget::SetStroke(vtkPolyData* stroke)
@@ -103,7 +231,7 @@ void vtkOversketchLiveStrokeWidget::SetStroke(vtkPolyData* stroke)
   }
   this->EndMove(false);
   this->Keep(stroke);
-  this->Inner->live.strokeChanges();
+  this->Inner->strokeChanges();
   this->Update();
   this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
   this->Render();
@@ -117,10 +245,9 @@ void vtkOversketchLiveStrokeWidget::HoldStroke(vtkPolyData* stroke, const double
 void vtkOversketchLiveStrokeWidget::Commit()
 {
   this->EndMove(false);
-  if (this->Inner->live.exists())
+  if (this->Inner->exists())
   {
-    this->Inner->live.commit();
-    this->Inner->told.clear();
+    this->Inner->commit();
     this->Refresh();
     this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
     this->Render();
@@ -130,10 +257,9 @@ void vtkOversketchLiveStrokeWidget::Commit()
 void vtkOversketchLiveStrokeWidget::Drop()
 {
   this->EndMove(false);
-  if (this->Inner->live.exists())
+  if (this->Inner->exists())
   {
-    this->Inner->live.drop();
-    this->Inner->told.clear();
+    this->Inner->drop();
     this->Refresh();
     this->InvokeEvent(vtkCommand::WidgetValueChangedEvent);
     this->Render();
@@ -142,7 +268,7 @@ void vtkOversketchLiveStrokeWidget::Drop()
 
 const char* vtkOversketchLiveStrokeWidget::GetMessage()
 {
-  return this->Inner->live.message().c_str();
+  return this->Inner->text();
 }
 
 void vtkOversketchLiveStrokeWidget::SetShowRegion(bool show)
@@ -160,20 +286,6 @@ void vtkOversketchLiveStrokeWidget::SetRepresentation(vtkOversketchLiveStrokeRep
   this->Superclass::SetRepresentation(representation);
 }
 
-vtkOversketchLiveStrokeRepresentation* vtkOversketchLiveStrokeWidget::GetLiveStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchLiveStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchLiveStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchLiveStrokeRepresentation::New();
-  }
-}
-
 void vtkOversketchLiveStrokeWidget::SetEnabled(int enabling)
 {
   const bool before = this->Enabled;
@@ -184,24 +296,22 @@ void vtkOversketchLiveStrokeWidget::SetEnabled(int enabling)
   }
   else if (!before && this->Enabled)
   {
-    this->Watched = this->CurrentRenderer;
-    this->Watched->AddObserver(vtkCommand::StartEvent, this->RendererObserver);
-    this->WatchedWindow = this->Watched->GetRenderWindow();
-    this->WatchedWindow->AddObserver(vtkCommand::StartEvent, this->FrameObserver);
+    this->Inner->watch(this->CurrentRenderer, this);
+    this->WatchedWindow = this->CurrentRenderer->GetRenderWindow();
+    this->FrameTag = this->WatchedWindow->AddObserver( // about to draw a frame, perhaps of the pen alone
+      vtkCommand::StartEvent,
+      this,
+      &vtkOversketchLiveStrokeWidget::LookNow);
     this->Update();
   }
 }
 
 void vtkOversketchLiveStrokeWidget::StopWatching()
 {
-  if (this->Watched)
-  {
-    this->Watched->RemoveObserver(this->RendererObserver);
-    this->Watched = nullptr;
-  }
+  this->Inner->stopWatching();
   if (this->WatchedWindow)
   {
-    this->WatchedWindow->RemoveObserver(this->FrameObserver);
+    this->WatchedWindow->RemoveObserver(this->FrameTag);
     this->WatchedWindow = nullptr;
   }
 }
@@ -210,11 +320,11 @@ void vtkOversketchLiveStrokeWidget::Refresh()
 {
   Internals& inner = *this->Inner;
   vtkOversketchLiveStrokeRepresentation* representation = this->GetLiveStrokeRepresentation();
-  const bool stands = inner.live.middle(this->Place);
+  const bool stands = inner.middle(this->Place);
   representation->SetStroke(stands ? this->GetStroke() : nullptr, this->Place);
-  representation->SetRegion(this->ShowRegion && !this->IsMoving() ? inner.live.region() : nullptr);
+  representation->SetRegion(this->ShowRegion && !this->IsMoving() ? inner.region() : nullptr);
   representation->SetText(this->GetMessage());
-  this->SetTookHold(inner.live.message().empty());
+  this->SetTookHold(inner.said().empty());
   if (!representation->HasStroke())
   {
     representation->HighlightedOff();
@@ -230,7 +340,7 @@ void vtkOversketchLiveStrokeWidget::MakeReady()
 {
   vtkNew<vtkPolyData> view;
   this->GetPen()->GetStrokeRepresentation()->PutView(view);
-  this->Inner->live.ask([&] { this->Look(this->Inner->live.result(), view); });
+  this->Inner->ask([&] { this->Look(this->Inner->result, view); });
 }
 
 void vtkOversketchLiveStrokeWidget::Look(vtkPolyData* mesh, vtkPolyData* stroke)
@@ -254,11 +364,11 @@ void vtkOversketchLiveStrokeWidget::LookNow()
   }
   this->Extended = false;
   vtkNew<vtkPolyData> stroke;
-  vtkPolyData* mesh = this->Inner->live.result();
+  vtkPolyData* mesh = this->Inner->result;
   if (moves)
   {
     this->GetLiveStrokeRepresentation()->PutMoved(stroke);
-    mesh = this->Inner->live.base();
+    mesh = this->Inner->base();
   }
   else if (this->IsRedrawing())
   {
@@ -268,18 +378,18 @@ void vtkOversketchLiveStrokeWidget::LookNow()
   {
     drawn->GetPolyData(stroke);
   }
-  this->Inner->live.ask([&] { this->Look(mesh, stroke); });
+  this->Inner->ask([&] { this->Look(mesh, stroke); });
 }
 
 void vtkOversketchLiveStrokeWidget::TakeStroke(vtkPolyData* stroke)
 {
   if (this->IsNew())
   {
-    this->Inner->live.commit();
+    this->Inner->commit();
   }
   this->Keep(stroke);
-  this->Inner->live.strokeChanges();
-  this->Inner->told.clear();
+  this->Inner->strokeChanges();
+  this->Inner->say({});
   this->Update();
   this->Refresh();
 }
@@ -287,7 +397,7 @@ void vtkOversketchLiveStrokeWidget::TakeStroke(vtkPolyData* stroke)
 void vtkOversketchLiveStrokeWidget::StrokeMoves()
 {
   this->LookAgain();
-  this->Inner->live.drag(this->GetTranslation());
+  this->Inner->drag(this->GetTranslation());
 }
 
 void vtkOversketchLiveStrokeWidget::EndMove(bool keep)
@@ -296,17 +406,17 @@ void vtkOversketchLiveStrokeWidget::EndMove(bool keep)
   {
     this->Look(nullptr, nullptr);
   }
-  this->Inner->live.endDrag();
+  this->Inner->endDrag();
   this->Superclass::EndMove(keep);
 }
 
 bool vtkOversketchLiveStrokeWidget::UseKey(const std::string& key)
 {
-  if (key == "Escape" && this->Inner->live.exists())
+  if (key == "Escape" && this->Inner->exists())
   {
     this->Drop();
   }
-  else if ((key == "Return" || key == "KP_Enter") && this->Inner->live.exists())
+  else if ((key == "Return" || key == "KP_Enter") && this->Inner->exists())
   {
     this->Commit();
   }

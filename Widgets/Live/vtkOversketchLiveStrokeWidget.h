@@ -42,9 +42,8 @@
 #define vtkOversketchLiveStrokeWidget_h
 
 #include "OversketchWidgetsLiveModule.h" // For export macro
-#include "vtkNew.h"                      // For the observers
 #include "vtkOversketchHeldStrokeWidget.h"
-#include "vtkWeakPointer.h" // For Watched, WatchedWindow
+#include "vtkWeakPointer.h" // For WatchedWindow
 
 class vtkAlgorithmOutput;
 class vtkOversketchLiveStrokeRepresentation;
@@ -145,9 +144,8 @@ private:
 
   bool ShowRegion = false;
   bool Extended = false; // the line, since what it would do was shown
-  vtkNew<vtkCallbackCommand> RendererObserver, FrameObserver;
-  vtkWeakPointer<vtkRenderer> Watched;
   vtkWeakPointer<vtkRenderWindow> WatchedWindow;
+  unsigned long FrameTag = 0;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

@@ -3,6 +3,7 @@
 #include "Stroke/resketch.h"
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -122,6 +123,24 @@ PenStroke PenStroke::of(vtkPolyData* polyData)
     result.times.push_back(times ? times->GetComponent(ids->GetId(i), 0) : 0.0);
   }
   return result;
+}
+
+void putInto(vtkPolyData* all, const std::vector<vtkSmartPointer<vtkPolyData>>& strokes)
+{
+  vtkNew<vtkPolyData> joined;
+  if (!strokes.empty())
+  {
+    vtkNew<vtkAppendPolyData> append;
+    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    for (vtkPolyData* stroke : strokes)
+    {
+      append->AddInputData(stroke);
+    }
+    append->Update();
+    joined->ShallowCopy(append->GetOutput());
+  }
+  all->ShallowCopy(joined);
+  all->Modified();
 }
 
 } // namespace oversketch

@@ -2,8 +2,11 @@
 #ifndef oversketch_widgets_pen_pen_stroke_h
 #define oversketch_widgets_pen_pen_stroke_h
 
+#include "OversketchWidgetsPenModule.h" // For export macro
 #include "Stroke/polyline.h"
 #include "pen_view.h"
+
+#include "vtkSmartPointer.h"
 
 #include <vector>
 
@@ -29,6 +32,10 @@ struct PenStroke
   // Throws Error for others.
   static PenStroke of(vtkPolyData* polyData);
 };
+
+// Several strokes into one polydata, which stays the same object.
+OVERSKETCHWIDGETSPEN_EXPORT void putInto(vtkPolyData* all,
+  const std::vector<vtkSmartPointer<vtkPolyData>>& strokes);
 
 } // namespace oversketch
 #endif

@@ -1,15 +1,13 @@
 #include "vtkOversketchHeldStrokeRepresentation.h"
 
 #include "pen_stroke.h"
+#include "seen_line.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkActor2D.h"
-#include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -20,9 +18,11 @@
 
 vtkStandardNewMacro(vtkOversketchHeldStrokeRepresentation);
 
+using oversketch::inViewport;
 using oversketch::PenStroke;
 using oversketch::PenView;
 using oversketch::Polyline;
+using oversketch::seenIn;
 using oversketch::Vector2;
 using oversketch::Vector3;
 
@@ -32,34 +32,19 @@ struct vtkOversketchHeldStrokeRepresentation::Internals
   double depth = 0.0;        // camera z of its plane, in its view
   std::vector<Vector3> line; // in the world
   vtkNew<vtkProperty2D> property, seen;
-  vtkNew<vtkPolyData> picture;
-  vtkNew<vtkActor2D> actor;
+  oversketch::Line2D picture{ seen };
   vtkNew<vtkTextActor> text;
 
   // The line as the renderer shows it [px in its viewport], in pieces where it passes behind the eye.
   std::vector<Polyline> seenFrom(vtkRenderer* renderer, const Vector3& moved) const
   {
-    std::vector<Polyline> pieces(1);
-    try
+    std::vector<Vector3> places = this->line;
+    for (Vector3& place : places)
     {
-      const oversketch::View view = PenView::of(renderer).kernelView();
-      for (const Vector3& point : this->line)
-      {
-        if (view.inFront(point + moved))
-        {
-          pieces.back().emplace_back(view.toDisplay(point + moved).head<2>());
-        }
-        else if (!pieces.back().empty())
-        {
-          pieces.emplace_back();
-        }
-      }
+      place += moved;
     }
-    catch (const oversketch::Error&)
-    {
-      pieces.clear(); // a camera that sees nothing
-    }
-    return pieces;
+    const auto view = PenView::of(renderer).sight();
+    return view ? seenIn(*view, places) : std::vector<Polyline>();
   }
 };
 
@@ -69,11 +54,6 @@ vtkOversketchHeldStrokeRepresentation::vtkOversketchHeldStrokeRepresentation()
   Internals& inner = *this->Inner;
   inner.property->SetColor(0.86, 0.13, 0.12);
   inner.property->SetLineWidth(3.0);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(inner.picture);
-  inner.actor->SetMapper(mapper);
-  inner.actor->SetProperty(inner.seen);
-
   inner.text->SetPosition(10.0, 10.0);
   inner.text->GetTextProperty()->SetFontSize(15);
   inner.text->GetTextProperty()->SetColor(1.0, 1.0, 1.0);
@@ -137,13 +117,12 @@ double vtkOversketchHeldStrokeRepresentation::DistanceTo(double x, double y)
   {
     return least;
   }
-  const int* origin = this->Renderer->GetOrigin();
+  const Vector2 place = inViewport(this->Renderer, x, y);
   for (const Polyline& piece : this->Inner->seenFrom(this->Renderer, Vector3(this->Translation)))
   {
     if (!piece.empty())
     {
-      least =
-        std::min(least, oversketch::NearestPlace(piece)(Vector2(x - origin[0], y - origin[1])).distance);
+      least = std::min(least, oversketch::NearestPlace(piece)(place).distance);
     }
   }
   return least;
@@ -164,10 +143,9 @@ void vtkOversketchHeldStrokeRepresentation::Move(double fromX, double fromY, dou
     return;
   }
   // From the same place the plane has the same depth, whatever the zoom.
-  const int* origin = this->Renderer->GetOrigin();
   const oversketch::View view = PenView::of(this->Renderer).kernelView();
   const auto onPlane = [&](double x, double y)
-  { return view.toWorld(Vector2(x - origin[0], y - origin[1]), this->Inner->depth); };
+  { return view.toWorld(inViewport(this->Renderer, x, y), this->Inner->depth); };
   const Vector3 translation = onPlane(toX, toY) - onPlane(fromX, fromY);
   std::copy_n(translation.data(), 3, this->Translation);
   this->Modified();
@@ -225,7 +203,7 @@ void vtkOversketchHeldStrokeRepresentation::BuildRepresentation() {}
 
 void vtkOversketchHeldStrokeRepresentation::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Inner->actor->ReleaseGraphicsResources(window);
+  this->Inner->picture.actor->ReleaseGraphicsResources(window);
   this->Inner->text->ReleaseGraphicsResources(window);
 }
 
@@ -247,29 +225,12 @@ int vtkOversketchHeldStrokeRepresentation::RenderOverlay(vtkViewport* viewport)
   {
     return drawn;
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  for (const Polyline& piece : inner.seenFrom(this->Renderer, Vector3(this->Translation)))
-  {
-    vtkIdType last = -1;
-    for (const Vector2& point : piece)
-    {
-      const vtkIdType id = points->InsertNextPoint(point[0], point[1], 0.0);
-      if (last >= 0)
-      {
-        lines->InsertNextCell({ last, id });
-      }
-      last = id;
-    }
-  }
-  inner.picture->SetPoints(points);
-  inner.picture->SetLines(lines);
+  inner.picture.setAll(inner.seenFrom(this->Renderer, Vector3(this->Translation)));
   const float width = inner.property->GetLineWidth();
   inner.seen->DeepCopy(inner.property);
   inner.seen->SetOpacity(inner.property->GetOpacity() * (inReach || this->Highlighted ? 1.0 : 0.5));
   inner.seen->SetLineWidth(this->Highlighted ? width + 3.0F : inReach ? width : 0.5F * width);
-  return drawn + inner.actor->RenderOverlay(viewport);
+  return drawn + inner.picture.actor->RenderOverlay(viewport);
 }
 
 void vtkOversketchHeldStrokeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

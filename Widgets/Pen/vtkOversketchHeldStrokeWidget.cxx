@@ -21,21 +21,12 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchHeldStrokeWidget);
+oversketchRepresentationMacro(HeldStroke);
 
 struct vtkOversketchHeldStrokeWidget::Internals
 {
   oversketch::PenView seen; // at the last move of the cursor
 };
-
-namespace
-{
-
-vtkOversketchHeldStrokeWidget* held(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchHeldStrokeWidget*>(widget);
-}
-
-} // namespace
 
 vtkOversketchHeldStrokeWidget::vtkOversketchHeldStrokeWidget()
   : Inner(std::make_unique<Internals>())
@@ -43,23 +34,14 @@ vtkOversketchHeldStrokeWidget::vtkOversketchHeldStrokeWidget()
   this->KeyPressActivationOff();
   this->Priority = 0.55f; // before the pen, after the camera's controls
   oversketch::listenToHand(this->CallbackMapper, this, { Press, MoveTo, Release, Key, Forward, Backward });
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<vtkOversketchHeldStrokeWidget*>(self)->Heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent,
-         vtkCommand::MouseWheelForwardEvent,
-         vtkCommand::MouseWheelBackwardEvent })
-  {
-    this->Pen->AddObserver(event, this->PenObserver);
-  }
+  oversketch::listenTo(this->Pen.Get(),
+    this,
+    &vtkOversketchHeldStrokeWidget::Heard,
+    { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent });
 }
 
 vtkOversketchHeldStrokeWidget::~vtkOversketchHeldStrokeWidget()
 {
-  this->Pen->RemoveObserver(this->PenObserver);
   this->vtkOversketchHeldStrokeWidget::SetEnabled(0);
   this->Pen->SetInteractor(nullptr);
 }
@@ -103,20 +85,6 @@ void vtkOversketchHeldStrokeWidget::SetRepresentation(vtkOversketchHeldStrokeRep
   this->Refresh();
 }
 
-vtkOversketchHeldStrokeRepresentation* vtkOversketchHeldStrokeWidget::GetHeldStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchHeldStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchHeldStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchHeldStrokeRepresentation::New();
-  }
-}
-
 void vtkOversketchHeldStrokeWidget::SetEnabled(int enabling)
 {
   if (!enabling && this->Enabled)
@@ -128,9 +96,7 @@ void vtkOversketchHeldStrokeWidget::SetEnabled(int enabling)
   this->Superclass::SetEnabled(enabling);
   if (!before && this->Enabled)
   {
-    this->Pen->SetInteractor(this->Interactor);
-    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
-    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
+    oversketch::workIn(this->CurrentRenderer, this->Interactor, this->Pen);
     this->Pen->SetEnabled(1);
   }
 }
@@ -152,7 +118,7 @@ void vtkOversketchHeldStrokeWidget::Refresh()
   }
 }
 
-void vtkOversketchHeldStrokeWidget::Heard(unsigned long event)
+void vtkOversketchHeldStrokeWidget::Heard(vtkObject*, unsigned long event, void*)
 {
   const vtkSmartPointer<vtkOversketchHeldStrokeWidget> alive(this); // an observer may let go of it
   switch (event)
@@ -279,7 +245,7 @@ void vtkOversketchHeldStrokeWidget::EndMove(bool keep)
 
 void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (self->Moving || from->GetControlKey() || from->GetAltKey() || !self->CurrentRenderer ||
@@ -331,7 +297,7 @@ void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   const int* at = self->Interactor->GetEventPosition();
   if (!self->Moving)
   {
@@ -354,7 +320,7 @@ void vtkOversketchHeldStrokeWidget::MoveTo(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
   if (self->Moving)
   {
     self->EventCallbackCommand->SetAbortFlag(1);
@@ -366,8 +332,8 @@ void vtkOversketchHeldStrokeWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchHeldStrokeWidget> self(held(widget)); // an observer may let go of it
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const auto self = oversketch::called<vtkOversketchHeldStrokeWidget>(widget);
+  const std::string key = oversketch::keyOf(self->Interactor);
   bool used = self->Moving;
   if (self->Moving)
   {
@@ -389,12 +355,12 @@ void vtkOversketchHeldStrokeWidget::Key(vtkAbstractWidget* widget)
 
 void vtkOversketchHeldStrokeWidget::Forward(vtkAbstractWidget* widget)
 {
-  held(widget)->Wheel(1);
+  oversketch::called<vtkOversketchHeldStrokeWidget>(widget)->Wheel(1);
 }
 
 void vtkOversketchHeldStrokeWidget::Backward(vtkAbstractWidget* widget)
 {
-  held(widget)->Wheel(-1);
+  oversketch::called<vtkOversketchHeldStrokeWidget>(widget)->Wheel(-1);
 }
 
 void vtkOversketchHeldStrokeWidget::Wheel(int notches)

@@ -32,12 +32,11 @@
 
 #include "OversketchWidgetsPenModule.h" // For export macro
 #include "vtkAbstractWidget.h"
-#include "vtkNew.h" // For Pen, Stroke, PenObserver
+#include "vtkNew.h" // For Pen, Stroke
 
 #include <memory>
 #include <string>
 
-class vtkCallbackCommand;
 class vtkOversketchHeldStrokeRepresentation;
 class vtkOversketchStrokeWidget;
 class vtkPolyData;
@@ -151,7 +150,7 @@ private:
   static void Forward(vtkAbstractWidget* widget);
   static void Backward(vtkAbstractWidget* widget);
 
-  void Heard(unsigned long event);
+  void Heard(vtkObject* pen, unsigned long event, void* data);
   void Wheel(int notches);
   void PenHasDrawn();
   void BeginMove(const int at[2]);
@@ -163,7 +162,6 @@ private:
   int Grip[2] = { 0, 0 }; // px
   vtkNew<vtkOversketchStrokeWidget> Pen;
   vtkNew<vtkPolyData> Stroke;
-  vtkNew<vtkCallbackCommand> PenObserver;
 
   struct Internals;
   std::unique_ptr<Internals> Inner;

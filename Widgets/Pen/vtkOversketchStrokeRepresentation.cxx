@@ -2,6 +2,7 @@
 
 #include "last_frame.h"
 #include "pen_stroke.h"
+#include "seen_line.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkActor2D.h"
@@ -12,9 +13,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
@@ -22,7 +21,6 @@
 
 #include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkOversketchStrokeRepresentation);
@@ -30,92 +28,13 @@ vtkStandardNewMacro(vtkOversketchStrokeRepresentation);
 namespace
 {
 
+using oversketch::inViewport;
+using oversketch::Line2D;
+using oversketch::linesOf;
 using oversketch::PenStroke;
 using oversketch::PenView;
+using oversketch::seenIn;
 using oversketch::Vector2;
-
-// A line in the picture that grows by segments.
-struct Line2D
-{
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkActor2D> actor;
-
-  explicit Line2D(vtkProperty2D* property)
-  {
-    vtkNew<vtkPolyDataMapper2D> mapper;
-    mapper->SetInputData(this->data);
-    this->actor->SetMapper(mapper);
-    this->actor->SetProperty(property);
-    this->actor->PickableOff();
-    this->set({});
-  }
-  void set(const oversketch::Polyline& points) { this->setAll({ points }); }
-  void setAll(const std::vector<oversketch::Polyline>& lines)
-  {
-    vtkNew<vtkPoints> none;
-    none->SetDataTypeToDouble();
-    vtkNew<vtkCellArray> segments;
-    this->data->SetPoints(none);
-    this->data->SetLines(segments);
-    for (const oversketch::Polyline& line : lines)
-    {
-      bool first = true;
-      for (const Vector2& point : line)
-      {
-        this->add(point, !std::exchange(first, false));
-      }
-    }
-  }
-  // Joined to the point before, if there is one.
-  void add(const Vector2& point, bool joined = true)
-  {
-    const vtkIdType last = this->data->GetPoints()->InsertNextPoint(point[0], point[1], 0.0);
-    if (joined && last > 0)
-    {
-      const vtkIdType ids[2] = { last - 1, last };
-      this->data->GetLines()->InsertNextCell(2, ids);
-    }
-    this->data->GetPoints()->Modified();
-    this->data->GetLines()->Modified();
-    this->data->Modified();
-  }
-};
-
-// Absent where the camera sees nothing.
-std::optional<oversketch::View> viewOf(const PenView& seen)
-{
-  try
-  {
-    return seen.kernelView();
-  }
-  catch (const oversketch::Error&)
-  {
-    return std::nullopt;
-  }
-}
-
-// Lines in the world as a view shows them [px in its viewport], in pieces where they pass behind the eye.
-void addSeen(vtkPolyData* lines,
-  vtkIdType line,
-  const oversketch::View& view,
-  std::vector<oversketch::Polyline>& seen)
-{
-  vtkNew<vtkIdList> ids;
-  lines->GetLines()->GetCellAtId(line, ids);
-  seen.emplace_back();
-  for (const vtkIdType id : *ids)
-  {
-    const oversketch::Vector3 point(lines->GetPoint(id));
-    if (view.inFront(point))
-    {
-      seen.back().emplace_back(view.toDisplay(point).head<2>());
-    }
-    else if (!seen.back().empty())
-    {
-      seen.emplace_back();
-    }
-  }
-}
 
 } // namespace
 
@@ -142,18 +61,16 @@ struct vtkOversketchStrokeRepresentation::Internals
   bool hasCrest() const { return this->crestLines->GetNumberOfLines() > 0; }
   void placeCrest(const PenView& from)
   {
-    std::vector<oversketch::Polyline> strong, thin;
-    if (const auto view = viewOf(from); view && this->hasCrest())
+    std::vector<oversketch::WorldLine> strong, thin;
+    vtkDataArray* parts = this->crestLines->GetCellData()->GetArray("Part");
+    vtkIdType cell = 0;
+    for (const oversketch::WorldLine& line : linesOf(this->crestLines))
     {
-      vtkDataArray* parts = this->crestLines->GetCellData()->GetArray("Part");
-      for (vtkIdType i = 0; i < this->crestLines->GetNumberOfLines(); ++i)
-      {
-        const bool isStrong = !parts || parts->GetComponent(i, 0) == 0.0;
-        addSeen(this->crestLines, i, *view, isStrong ? strong : thin);
-      }
+      (!parts || parts->GetComponent(cell++, 0) == 0.0 ? strong : thin).push_back(line);
     }
-    this->crest.setAll(strong);
-    this->feet.setAll(thin);
+    const auto view = from.sight();
+    this->crest.setAll(view ? seenIn(*view, strong) : std::vector<oversketch::Polyline>());
+    this->feet.setAll(view ? seenIn(*view, thin) : std::vector<oversketch::Polyline>());
     this->footProperty->DeepCopy(this->crestProperty);
     this->footProperty->SetLineWidth(0.5F * this->crestProperty->GetLineWidth());
   }
@@ -214,8 +131,7 @@ void vtkOversketchStrokeRepresentation::AddSample(double x, double y, double pre
   {
     return;
   }
-  const int* origin = this->Renderer->GetOrigin();
-  inner.drawing->add(Vector2(x - origin[0], y - origin[1]), pressure, time);
+  inner.drawing->add(inViewport(this->Renderer, x, y), pressure, time);
   inner.running.add(inner.drawing->points.back());
   if (inner.sectionFollows)
   {
@@ -326,19 +242,18 @@ void vtkOversketchStrokeRepresentation::PutView(vtkPolyData* stroke)
 void vtkOversketchStrokeRepresentation::SetSection(vtkPolyData* section)
 {
   std::vector<oversketch::Polyline> seen;
-  const auto view = this->Inner->drawing ? viewOf(this->Inner->drawing->view) : std::nullopt;
+  const auto view = this->Inner->drawing ? this->Inner->drawing->view.sight() : std::nullopt;
   if (view && section)
   {
     vtkDataArray* places = section->GetPointData()->GetArray("Display");
-    places = places && places->GetNumberOfComponents() == 2 ? places : nullptr;
+    if (!places || places->GetNumberOfComponents() != 2)
+    {
+      this->Inner->section.setAll(seenIn(*view, linesOf(section)));
+      return;
+    }
     vtkNew<vtkIdList> ids;
     for (vtkIdType line = 0; line < section->GetNumberOfLines(); ++line)
     {
-      if (!places)
-      {
-        addSeen(section, line, *view, seen);
-        continue;
-      }
       section->GetLines()->GetCellAtId(line, ids);
       seen.emplace_back();
       for (const vtkIdType id : *ids)

@@ -24,16 +24,12 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOversketchStrokeWidget);
+oversketchRepresentationMacro(Stroke);
 
 namespace
 {
 
 constexpr double backspaceLength = 20.0; // px
-
-vtkOversketchStrokeWidget* cast(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchStrokeWidget*>(widget);
-}
 
 } // namespace
 
@@ -59,20 +55,6 @@ void vtkOversketchStrokeWidget::SetRepresentation(vtkOversketchStrokeRepresentat
 {
   this->DropDrawing();
   this->SetWidgetRepresentation(representation);
-}
-
-vtkOversketchStrokeRepresentation* vtkOversketchStrokeWidget::GetStrokeRepresentation()
-{
-  this->CreateDefaultRepresentation();
-  return static_cast<vtkOversketchStrokeRepresentation*>(this->WidgetRep);
-}
-
-void vtkOversketchStrokeWidget::CreateDefaultRepresentation()
-{
-  if (!this->WidgetRep)
-  {
-    this->WidgetRep = vtkOversketchStrokeRepresentation::New();
-  }
 }
 
 void vtkOversketchStrokeWidget::SetEnabled(int enabling)
@@ -283,7 +265,7 @@ void vtkOversketchStrokeWidget::Drop()
 
 void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (!from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
@@ -295,7 +277,7 @@ void vtkOversketchStrokeWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -306,7 +288,7 @@ void vtkOversketchStrokeWidget::Move(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchStrokeWidget> self(cast(widget));
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing())
   {
     const int* at = self->Interactor->GetEventPosition();
@@ -321,8 +303,8 @@ void vtkOversketchStrokeWidget::Release(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
+  const std::string key = oversketch::keyOf(self->Interactor);
   const bool drawing = self->IsDrawing();
   if (!drawing && !self->Waiting)
   {
@@ -353,12 +335,12 @@ void vtkOversketchStrokeWidget::Key(vtkAbstractWidget* widget)
 
 void vtkOversketchStrokeWidget::Forward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Wheel(vtkCommand::MouseWheelForwardEvent);
+  oversketch::called<vtkOversketchStrokeWidget>(widget)->Wheel(vtkCommand::MouseWheelForwardEvent);
 }
 
 void vtkOversketchStrokeWidget::Backward(vtkAbstractWidget* widget)
 {
-  cast(widget)->Wheel(vtkCommand::MouseWheelBackwardEvent);
+  oversketch::called<vtkOversketchStrokeWidget>(widget)->Wheel(vtkCommand::MouseWheelBackwardEvent);
 }
 
 // It is not the camera's while the pen draws.
@@ -374,7 +356,7 @@ void vtkOversketchStrokeWidget::Wheel(unsigned long event)
 
 void vtkOversketchStrokeWidget::Resized(vtkAbstractWidget* widget)
 {
-  vtkOversketchStrokeWidget* self = cast(widget);
+  const auto self = oversketch::called<vtkOversketchStrokeWidget>(widget);
   if (self->IsDrawing() && !self->GetStrokeRepresentation()->FitsRenderer())
   {
     self->CancelStroke();

@@ -146,7 +146,7 @@ def test_layers_are_a_file(folder, tmp_path):
     layered = edit(folder, tmp_path / "o.vtp", "--move", "0.5,n,4%", "--layers", tmp_path / "layers.json", "--report", tmp_path / "r.json")
     options = json.loads((tmp_path / "r.json").read_text())["options"]
     assert options["levels"] == 7
-    assert options["layers"] == "handle 0.5 0.25; area 0 9; handle 0.40000000000000002 0.80000000000000004; "
+    assert options["layers"] == "handle 0.5 0.25; area 0 9; handle 0.4 0.8"
     assert digest(layered) != digest(edit(folder, tmp_path / "plain.vtp", "--move", "0.5,n,4%"))
     # Handles alone, which draw the layers in, move less.
     (tmp_path / "in.json").write_text('{"handles": [[0.5, 0.25]]}')

@@ -1,6 +1,6 @@
 // The widgets of the edit in windows that change and go, and under events in any order.
 #include "Harness/windows.h"
-#include "Shading/layers.h"
+#include "Shading/layer_list.h"
 #include "edit_widget_scene.h"
 #include "widget_scenes.h"
 

@@ -1,5 +1,5 @@
 // Handles on grey layers, on the disc and on the model.
-#include "Shading/layers.h"
+#include "Shading/layer_list.h"
 #include "widget_scenes.h"
 
 #include "vtkOversketchShadingLevels.h"

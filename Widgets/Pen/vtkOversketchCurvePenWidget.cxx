@@ -11,39 +11,17 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 
-namespace
-{
-
-vtkOversketchCurvePenWidget* curvePen(vtkAbstractWidget* widget)
-{
-  return static_cast<vtkOversketchCurvePenWidget*>(widget);
-}
-
-} // namespace
-
 vtkOversketchCurvePenWidget::vtkOversketchCurvePenWidget()
 {
   this->KeyPressActivationOff();
   this->Priority = 0.55f; // before the pen
   const auto nothing = [](vtkAbstractWidget*) {};
   oversketch::listenToHand(this->CallbackMapper, this, { Press, nothing, nothing, Key });
-  this->PenObserver->SetClientData(this);
-  this->PenObserver->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<vtkOversketchCurvePenWidget*>(self)->Heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    this->Pen->AddObserver(event, this->PenObserver);
-  }
+  oversketch::listenTo(this->Pen.Get(), this, &vtkOversketchCurvePenWidget::Heard);
 }
 
-vtkOversketchCurvePenWidget::~vtkOversketchCurvePenWidget() = default; // heirs have put the pen down
-
-void vtkOversketchCurvePenWidget::PutPenDown()
+vtkOversketchCurvePenWidget::~vtkOversketchCurvePenWidget()
 {
-  this->Pen->RemoveObserver(this->PenObserver);
   this->vtkOversketchCurvePenWidget::SetEnabled(0);
   this->Pen->SetInteractor(nullptr);
 }
@@ -63,9 +41,7 @@ void vtkOversketchCurvePenWidget::SetEnabled(int enabling)
   this->Superclass::SetEnabled(enabling);
   if (!before && this->Enabled)
   {
-    this->Pen->SetInteractor(this->Interactor);
-    this->Pen->SetDefaultRenderer(this->CurrentRenderer);
-    this->Pen->SetCurrentRenderer(this->CurrentRenderer);
+    oversketch::workIn(this->CurrentRenderer, this->Interactor, this->Pen);
     this->ReadyPen();
   }
 }
@@ -90,7 +66,7 @@ void vtkOversketchCurvePenWidget::Tell(const std::string& message)
   this->InvokeEvent(vtkCommand::MessageEvent, const_cast<char*>(message.c_str()));
 }
 
-void vtkOversketchCurvePenWidget::Heard(unsigned long event)
+void vtkOversketchCurvePenWidget::Heard(vtkObject*, unsigned long event, void*)
 {
   const vtkSmartPointer<vtkOversketchCurvePenWidget> alive(this); // an observer may let go of it
   if (event == vtkCommand::StartInteractionEvent)
@@ -119,7 +95,7 @@ void vtkOversketchCurvePenWidget::Heard(unsigned long event)
 
 void vtkOversketchCurvePenWidget::Press(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchCurvePenWidget> self(curvePen(widget)); // an observer may let go of it
+  const auto self = oversketch::called<vtkOversketchCurvePenWidget>(widget);
   vtkRenderWindowInteractor* from = self->Interactor;
   const int* at = from->GetEventPosition();
   if (from->GetShiftKey() && !from->GetControlKey() && !from->GetAltKey() && self->CurrentRenderer &&
@@ -135,8 +111,8 @@ void vtkOversketchCurvePenWidget::Press(vtkAbstractWidget* widget)
 
 void vtkOversketchCurvePenWidget::Key(vtkAbstractWidget* widget)
 {
-  const vtkSmartPointer<vtkOversketchCurvePenWidget> self(curvePen(widget)); // an observer may let go of it
-  const std::string key = self->Interactor->GetKeySym() ? self->Interactor->GetKeySym() : "";
+  const auto self = oversketch::called<vtkOversketchCurvePenWidget>(widget);
+  const std::string key = oversketch::keyOf(self->Interactor);
   if (key == "Escape" && !self->Pen->IsDrawing() && !self->Pen->IsWaiting() && self->TakeBack())
   {
     self->EventCallbackCommand->SetAbortFlag(1);

@@ -16,22 +16,21 @@
  * when the hand has changed what was drawn, and MessageEvent, with the text that is shown, when it cannot do
  * what it was asked.
  *
- * @sa vtkOversketchRegionWidget vtkOversketchAreaSelectWidget
+ * @sa vtkOversketchRegionWidget vtkOversketchAreaSelectWidget vtkOversketchDrawingWidget
  */
 #ifndef vtkOversketchCurvePenWidget_h
 #define vtkOversketchCurvePenWidget_h
 
-#include "OversketchWidgetsEditModule.h" // For export macro
+#include "OversketchWidgetsPenModule.h" // For export macro
 #include "vtkAbstractWidget.h"
-#include "vtkNew.h" // For Pen, PenObserver
+#include "vtkNew.h" // For Pen
 
 #include <string>
 
-class vtkCallbackCommand;
 class vtkOversketchStrokeWidget;
 class vtkPolyData;
 
-class OVERSKETCHWIDGETSEDIT_EXPORT vtkOversketchCurvePenWidget : public vtkAbstractWidget
+class OVERSKETCHWIDGETSPEN_EXPORT vtkOversketchCurvePenWidget : public vtkAbstractWidget
 {
 public:
   vtkAbstractTypeMacro(vtkOversketchCurvePenWidget, vtkAbstractWidget);
@@ -59,9 +58,11 @@ protected:
 
   // The pen rests or is ready, by what is wanted now.
   void ReadyPen();
-  // To be called by heirs as they go: nothing of the pen is heard any more.
-  void PutPenDown();
   void Tell(const std::string& message);
+  // Hears what the pen does.
+  virtual void Heard(vtkObject* pen, unsigned long event, void* data);
+  // Whether its stroke began with Shift.
+  bool IsOver() const { return this->Over; }
 
 private:
   vtkOversketchCurvePenWidget(const vtkOversketchCurvePenWidget&) = delete;
@@ -71,11 +72,8 @@ private:
   static void Press(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);
 
-  void Heard(unsigned long event);
-
   bool PressedOver = false, Over = false;
   vtkNew<vtkOversketchStrokeWidget> Pen;
-  vtkNew<vtkCallbackCommand> PenObserver;
 };
 
 #endif
