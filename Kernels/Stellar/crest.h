@@ -3,7 +3,7 @@
 #define oversketch_kernels_stellar_crest_h
 
 #include "Mesh/place.h"
-#include "Stellar/passage.h"
+#include "Stellar/crossed_faces.h"
 
 #include <vector>
 

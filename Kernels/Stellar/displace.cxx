@@ -2,7 +2,7 @@
 
 #include "Mesh/context.h"
 #include "Stellar/crest.h"
-#include "Stellar/passage.h"
+#include "Stellar/crossed_faces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,21 +238,21 @@ CurvesReached reachedBy(const Forest& forest,
   checkCurves(curves);
   const std::vector<Shape> shapes = shapesOf(curves, options);
   const CurveSearch search(curves);
-  const Passage passage(forest, search, context);
+  const CrossedFaces crossed(forest, search, context);
   CurveReach reach(forest, search);
   CurvesReached reached;
-  reached.needed = NeededVertices(forest);
+  reached.needed = VerticesToKeep(forest);
   std::vector<char> changing(forest.vertices.size(), 0);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     reached.vertices.push_back(reach.find(
-      k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
-    reached.needed.add(forest, k, shapes[k].radius, reached.vertices.back(), passage);
+      k, crossed.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
+    reached.needed.add(forest, k, shapes[k].radius, reached.vertices.back(), crossed);
     for (const Reached& r : reached.vertices.back())
     {
       changing[r.vertex] = 1;
     }
-    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, passage.faces(k));
+    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, crossed.faces(k));
     reached.crest.insert(reached.crest.end(), crest.begin(), crest.end());
   }
   for (std::size_t v = 0; v < forest.vertices.size(); ++v)

@@ -5,8 +5,8 @@
 
 #include "Mesh/place.h"
 #include "Stellar/distance.h"
-#include "Stellar/needed.h"
 #include "Stellar/profile.h"
+#include "Stellar/vertices_to_keep.h"
 
 #include <optional>
 
@@ -68,7 +68,7 @@ struct CurvesReached
 {
   std::vector<std::vector<Reached>> vertices; // per curve
   std::vector<Binding> crest;                 // see crestPlaces
-  NeededVertices needed;                      // see there
+  VerticesToKeep needed;                      // see there
   std::vector<int> changing;                  // vertices that a displacement writes: reached or snapped ones
   std::vector<int> faces;                     // round those, and their normals
   std::vector<Vector3> normals;

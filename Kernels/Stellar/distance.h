@@ -48,7 +48,7 @@ public:
   // `follows`: follow() will tell of all that happens to the forest.
   CurveReach(const Forest& forest, const CurveSearch& search, bool follows = false);
 
-  // `faces`: that the curve passes through, see Passage. Ascending by vertex; valid until the next call.
+  // `faces`: that the curve passes through, see CrossedFaces. Ascending by vertex; valid until the next call.
   const std::vector<Reached>& find(int curve,
     const std::vector<int>& faces,
     const ReachOptions& options,

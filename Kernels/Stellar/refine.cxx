@@ -2,8 +2,8 @@
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/leaves.h"
-#include "Stellar/passage.h"
 #include "Stellar/quality.h"
 
 #include <algorithm>
@@ -285,7 +285,7 @@ private:
   const RefineOptions& Options;
   const Context& Run;
   CurveSearch Search;
-  Passage Passes;
+  CrossedFaces Passes;
   CurveReach Reach;
   int FacesBefore;
   std::vector<Demand> Demands;               // of each curve

@@ -2,8 +2,8 @@
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/leaves.h"
-#include "Stellar/passage.h"
 
 #include <algorithm>
 #include <cassert>
@@ -72,7 +72,7 @@ std::vector<char> neededOf(const Forest& forest,
   {
     before.vertices[v].position = putBack(forest, v);
   }
-  std::vector<char> why = neededVertices(before, curves, reach, context).why;
+  std::vector<char> why = verticesToKeep(before, curves, reach, context).why;
   assert(!known || why == from->reached.needed.why);
   return why;
 }
@@ -136,7 +136,7 @@ std::optional<Forest> simplify(const Forest& forest,
           if (now.weldable(w))
           {
             bool far = true;
-            now.link(w, [&](int u) { far = far && !(near[u] & NeededVertices::Within); });
+            now.link(w, [&](int u) { far = far && !(near[u] & VerticesToKeep::Within); });
             goes[i] = far && errorOf(now, w) < options.tolerance;
           }
         }

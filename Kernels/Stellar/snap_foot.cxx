@@ -1,8 +1,8 @@
-#include "Stellar/foot.h"
+#include "Stellar/snap_foot.h"
 
 #include "Mesh/context.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/distance.h"
-#include "Stellar/passage.h"
 #include "Stellar/quality.h"
 #include "Stellar/snapper.h"
 
@@ -85,12 +85,12 @@ private:
   // What is reached.
   void measure()
   {
-    const Passage passage(this->Mesh, this->Search, this->Caller);
+    const CrossedFaces crossed(this->Mesh, this->Search, this->Caller);
     CurveReach reach(this->Mesh, this->Search);
     for (int k = 0; k < static_cast<int>(this->Curves.size()); ++k)
     {
       const ReachOptions options{ this->radius(k), CurveDistance::Straight, this->Options.connectedOnly };
-      for (const Reached& reached : reach.find(k, passage.faces(k), options, this->Caller))
+      for (const Reached& reached : reach.find(k, crossed.faces(k), options, this->Caller))
       {
         Share& share = this->Shares[reached.vertex];
         const double value = reached.distance / options.radius;

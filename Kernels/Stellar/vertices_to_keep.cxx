@@ -1,4 +1,4 @@
-#include "Stellar/needed.h"
+#include "Stellar/vertices_to_keep.h"
 
 #include "Mesh/context.h"
 
@@ -22,11 +22,11 @@ bool isWithin(double distance, double radius)
 
 } // namespace
 
-void NeededVertices::add(const Forest& forest,
+void VerticesToKeep::add(const Forest& forest,
   int curve,
   double radius,
   const std::vector<Reached>& reached,
-  const Passage& passage)
+  const CrossedFaces& crossed)
 {
   for (const Reached& r : reached)
   {
@@ -35,7 +35,7 @@ void NeededVertices::add(const Forest& forest,
       this->why[r.vertex] |= Within;
     }
   }
-  this->passed.push_back(passage.faces(curve));
+  this->passed.push_back(crossed.faces(curve));
   for (const int f : this->passed.back())
   {
     for (const int v : forest.faces[f].v)
@@ -43,30 +43,30 @@ void NeededVertices::add(const Forest& forest,
       this->why[v] |= Passed;
     }
   }
-  this->touched.push_back(passage.touched(curve));
-  this->parts.push_back(passage.parts(curve));
+  this->touched.push_back(crossed.touched(curve));
+  this->parts.push_back(crossed.parts(curve));
 }
 
-NeededVertices neededVertices(const Forest& forest,
+VerticesToKeep verticesToKeep(const Forest& forest,
   const FeatureCurves& curves,
   const ReachOptions& options,
   const Context& context)
 {
-  NeededVertices needed(forest);
+  VerticesToKeep needed(forest);
   const CurveSearch search(curves);
-  const Passage passage(forest, search, context);
+  const CrossedFaces crossed(forest, search, context);
   CurveReach reach(forest, search);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     const double radius = curves[k].radius.value_or(options.radius);
     const ReachOptions own{ radius, options.kind, options.connectedOnly };
-    needed.add(forest, k, radius, reach.find(k, passage.faces(k), own, context), passage);
+    needed.add(forest, k, radius, reach.find(k, crossed.faces(k), own, context), crossed);
   }
   return needed;
 }
 
 bool stillNeeded(const Forest& before,
-  const NeededVertices& needed,
+  const VerticesToKeep& needed,
   const Forest& after,
   const std::vector<int>& changing,
   const std::vector<int>& faces,

@@ -1,4 +1,4 @@
-#include "Stellar/passage.h"
+#include "Stellar/crossed_faces.h"
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
@@ -252,7 +252,7 @@ bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vecto
   return gap && passesThrough(search, curve, Corners(a, b, c), *gap);
 }
 
-Passage::Passage(const Forest& forest, const CurveSearch& search, const Context& context)
+CrossedFaces::CrossedFaces(const Forest& forest, const CurveSearch& search, const Context& context)
   : Mesh(forest)
   , Search(search)
   , Faces(search.curves().size())
@@ -287,12 +287,12 @@ Passage::Passage(const Forest& forest, const CurveSearch& search, const Context&
   }
 }
 
-bool Passage::passes(int face, int curve, double gap) const
+bool CrossedFaces::passes(int face, int curve, double gap) const
 {
   return passesThrough(this->Search, curve, Corners(this->Mesh, face), gap);
 }
 
-std::vector<int> Passage::touching(int curve, double widening, const Context& context) const
+std::vector<int> CrossedFaces::touching(int curve, double widening, const Context& context) const
 {
   const int count = static_cast<int>(this->Mesh.faces.size());
   std::vector<char> touched(count, 0);
@@ -328,7 +328,7 @@ std::vector<int> Passage::touching(int curve, double widening, const Context& co
   return faces;
 }
 
-void Passage::follow(const std::vector<Forest::Birth>& births)
+void CrossedFaces::follow(const std::vector<Forest::Birth>& births)
 {
   for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
   {
