@@ -57,7 +57,7 @@ struct DisplaceReport
   // Points of curves where the room is less than the height, and the least of that, in shares of the height.
   int heldBack = 0;
   double leastShare = 1.0;
-  // Feature values along the curves, see crestPlaces: 1 where the mesh holds the crest. `crests`: how many.
+  // Feature values at places along the crests, 1 where the mesh holds them. `crests`: how many.
   double crestSum = 0.0, crestMinimum = 0.0;
   int crests = 0;
 };
@@ -67,8 +67,8 @@ struct DisplaceReport
 struct CurvesReached
 {
   std::vector<std::vector<Reached>> vertices; // per curve
-  std::vector<Binding> crest;                 // see crestPlaces
-  VerticesToKeep needed;                      // see there
+  std::vector<Binding> crest;                 // places along the crests
+  VerticesToKeep needed;                      // to keep where the mesh is simplified
   std::vector<int> changing;                  // vertices that a displacement writes: reached or snapped ones
   std::vector<int> faces;                     // round those, and their normals
   std::vector<Vector3> normals;
