@@ -3,7 +3,7 @@
 #define vtkOversketchCarriedArrays_h
 
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -2,7 +2,6 @@
 #ifndef oversketch_kernels_open_cl_device_h
 #define oversketch_kernels_open_cl_device_h
 
-#include "Mesh/backend.h"
 #include "Mesh/context.h"
 #include "OpenCL/opencl.h"
 

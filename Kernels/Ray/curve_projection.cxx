@@ -1,6 +1,6 @@
 #include "Ray/curve_projection.h"
 
-#include "Mesh/pixel.h"
+#include "Mesh/view.h"
 #include "Ray/surface_pieces.h"
 
 #include <algorithm>

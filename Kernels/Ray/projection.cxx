@@ -1,6 +1,5 @@
 #include "Ray/projection.h"
 
-#include "Mesh/pixel.h"
 #include "Ray/room.h"
 #include "Ray/surface_pieces.h"
 

@@ -4,7 +4,7 @@
 #define oversketch_kernels_remesh_curve_mesh_h
 
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include <unordered_map>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "Remesh/insert_curves.h"
 
-#include "Mesh/pixel.h"
 #include "Remesh/curve_walk.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #define oversketch_kernels_remesh_insert_curves_h
 
 #include "Mesh/context.h"
-#include "Mesh/mix.h"
 #include "Mesh/place.h"
 #include "Mesh/view.h"
 #include "Remesh/curve_mesh.h"
