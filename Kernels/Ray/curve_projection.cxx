@@ -1,7 +1,7 @@
 #include "Ray/curve_projection.h"
 
 #include "Mesh/view.h"
-#include "Ray/surface_pieces.h"
+#include "Ray/projection.h"
 
 #include <algorithm>
 #include <cmath>

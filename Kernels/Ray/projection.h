@@ -98,5 +98,12 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   const SketchRules& rules,
   const Context& context = Context());
 
+// Row 0 is the first sample of the stroke, row i what follows sample i - 1 up to sample i; a sample without
+// triangle is a gap. Of a closed stroke of strokeSize samples there is a row more, up to the first one again:
+// the pieces that meet there are one. Pieces with fewer than two samples are left out.
+std::vector<SurfaceCurve> piecesOf(const std::vector<std::vector<SurfaceSample>>& rows,
+  bool closed,
+  int strokeSize);
+
 } // namespace oversketch
 #endif

@@ -149,5 +149,13 @@ std::unique_ptr<RayCaster> makeOpenCLCaster(const RayScene& scene,
   const std::shared_ptr<Device>& device,
   const Context& context);
 
+// Points within [-1, 1] along a Hilbert curve through 1024^3 cells.
+struct CurveOrder
+{
+  std::vector<int> indices;         // ascending within a cell
+  std::vector<std::uint32_t> cells; // of each of them where the curve reaches its cell: the same in one cell
+};
+CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
+
 } // namespace oversketch
 #endif
