@@ -1,6 +1,7 @@
 #include "vtkOversketchMixtureRegion.h"
 
-#include "Mixture/device_mixture.h"
+#include "Mixture/mixture.h"
+#include "OpenCL/device.h"
 #include "Region/grow.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"

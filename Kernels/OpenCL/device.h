@@ -3,7 +3,13 @@
 #define oversketch_kernels_open_cl_device_h
 
 #include "Mesh/context.h"
-#include "OpenCL/opencl.h"
+
+// Version 1.2 of the C++ binding, with exceptions.
+#define CL_TARGET_OPENCL_VERSION 120
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_ENABLE_EXCEPTIONS
+#include <CL/opencl.hpp>
 
 #include <atomic>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #ifndef oversketch_kernels_open_cl_program_cache_h
 #define oversketch_kernels_open_cl_program_cache_h
 
-#include "OpenCL/opencl.h"
+#include "OpenCL/device.h"
 
 #include <filesystem>
 #include <string>

@@ -1,8 +1,7 @@
 #include "Region/grow.h"
 
+#include "Region/border.h"
 #include "Region/cut.h"
-#include "Region/fork.h"
-#include "Region/reach.h"
 
 #include <algorithm>
 #include <cmath>

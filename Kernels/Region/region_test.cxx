@@ -1,8 +1,7 @@
 #include "Harness/shapes.h"
+#include "Region/border.h"
 #include "Region/cut.h"
-#include "Region/fork.h"
 #include "Region/grow.h"
-#include "Region/reach.h"
 
 #include <gtest/gtest.h>
 

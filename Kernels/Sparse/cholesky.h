@@ -6,7 +6,6 @@
 #define oversketch_kernels_sparse_cholesky_h
 
 #include "Mesh/context.h"
-#include "Sparse/block_matrix.h"
 #include "Sparse/dense.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"

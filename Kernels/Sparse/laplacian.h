@@ -6,7 +6,6 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Mesh/place.h"
-#include "Sparse/block_matrix.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"
 
@@ -97,6 +96,20 @@ public:
 private:
   struct Parts;
   std::unique_ptr<Parts> Pieces;
+};
+
+// Handles that move together by one vector d move everything else in proportion, so that one solve serves all
+// places of the hand: vertices that may move lie at rest + response d.
+struct Drag
+{
+  std::vector<int> vertices;    // of the mesh, ascending
+  std::vector<Vector3> rest;    // their places for d = 0
+  std::vector<double> response; // of each: one factor, or nine of a 3x3 matrix, column-major
+
+  // Writes the places for d into the points of the whole mesh (three numbers each); the others are left
+  // alone. Real is float or double.
+  template <class Real>
+  void place(const Vector3& d, Real* points, const Context& context) const;
 };
 
 } // namespace oversketch
