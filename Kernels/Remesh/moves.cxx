@@ -1,6 +1,6 @@
 // The moves of incremental remeshing that change connectivity, and the tests that keep them safe.
 #include "Mesh/nearest.h"
-#include "Remesh/shape.h"
+#include "Remesh/patch.h"
 
 namespace oversketch
 {

@@ -1,7 +1,7 @@
 #include "Remesh/relax.h"
 
 #include "Mesh/nearest.h"
-#include "Remesh/shape.h"
+#include "Remesh/patch.h"
 
 namespace oversketch
 {

@@ -4,7 +4,6 @@
 #include "Remesh/passes.h"
 #include "Remesh/relax.h"
 #include "Remesh/sizing.h"
-#include "Remesh/unfold.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 #include "Harness/enclosures.h"
 #include "Harness/threads.h"
 #include "Remesh/keep_apart.h"
-#include "Remesh/motion.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +74,7 @@ struct Edited
   }
   Retriangulated run(const Context& context = {}) const
   {
-    return retriangulateEdit(this->input(), this->movement, this->shares, 1, context);
+    return retriangulateEdit(this->input(), { 1, this->shares, this->movement }, context);
   }
   Mesh before() const { return { this->moved, this->scene.mesh.triangles }; }
 };
@@ -340,8 +339,7 @@ TEST(B11_3, WithoutAMotionNothingChanges)
     // Nor does a motion that nothing is stretched by.
     const Motion motion =
       motionBetween(scene.mesh, buildAdjacency(scene.mesh), scene.mesh.points, twoThreads());
-    const Retriangulated known =
-      retriangulateEdit(still.input(), motion.movement, motion.values, motion.channels, {});
+    const Retriangulated known = retriangulateEdit(still.input(), motion, {});
     EXPECT_EQ(known.splits + known.collapses + known.flips, 0);
     EXPECT_EQ(known.mesh.points, scene.mesh.points);
   }
@@ -573,8 +571,7 @@ TEST(Retriangulate, AKnownMotionIsNearlyTheFunction)
   {
     EXPECT_LT((again[v] - edited.moved[v]).norm(), 1e-9);
   }
-  const Retriangulated known =
-    retriangulateEdit(edited.input(), motion.movement, motion.values, motion.channels, {});
+  const Retriangulated known = retriangulateEdit(edited.input(), motion, {});
   expectSound(edited, known);
   const Retriangulated exact = edited.run();
   EXPECT_NEAR(known.mesh.triangleCount(), exact.mesh.triangleCount(), 0.1 * exact.mesh.triangleCount());
