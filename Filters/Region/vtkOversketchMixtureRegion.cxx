@@ -422,9 +422,9 @@ double vtkOversketchMixtureRegion::Cache::LongestEdge(const std::vector<int>& se
   double longest = 0.0;
   for (const int seed : seeds)
   {
-    for (const int* n = lists.begin(seed); n != lists.end(seed); ++n)
+    for (const int n : lists[seed])
     {
-      const auto a = static_cast<std::size_t>(*n), b = static_cast<std::size_t>(seed);
+      const auto a = static_cast<std::size_t>(n), b = static_cast<std::size_t>(seed);
       longest = std::max(longest, (points[a] - points[b]).norm());
     }
   }

@@ -181,13 +181,13 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
   this->Corners.offsets.push_back(0);
   for (const int v : this->TouchedPlaces)
   {
-    for (const int* t = around.begin(v); t != around.end(v); ++t)
+    for (const int t : around[v])
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (this->Near.triangles[*t][k] == v)
+        if (this->Near.triangles[t][k] == v)
         {
-          this->Corners.values.push_back(3 * *t + k);
+          this->Corners.values.push_back(3 * t + k);
         }
       }
     }
@@ -304,10 +304,9 @@ MovingPatch::Shape MovingPatch::shapeAt(const std::vector<Vector3>& places,
         for (int n = begin; n < end; ++n)
         {
           Vector3 sum = Vector3::Zero();
-          for (const int* corner = this->Corners.begin(changed[n]); corner != this->Corners.end(changed[n]);
-               ++corner)
+          for (const int corner : this->Corners[changed[n]])
           {
-            sum += measures.angles[*corner / 3][*corner % 3] * measures.normals[*corner / 3];
+            sum += measures.angles[corner / 3][corner % 3] * measures.normals[corner / 3];
           }
           const double length = sum.norm();
           shape.vertexNormals[n].second = length > 0.0 ? Vector3(sum / length) : Vector3(Vector3::Zero());

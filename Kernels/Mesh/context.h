@@ -66,6 +66,33 @@ struct Context
       body(0, count);
   };
 
+  // Calls body(i) for each i in [0, count) in the same way.
+  template <typename Each>
+  void each(int count, const Each& body) const
+  {
+    this->parallelFor(count,
+      [&body](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          body(i);
+        }
+      });
+  }
+  // Calls body(i) for each i where that takes long: for no more of them once cancelled() is true.
+  template <typename Each>
+  void eachUntilCancelled(int count, const Each& body) const
+  {
+    this->parallelFor(count,
+      [this, &body](int begin, int end)
+      {
+        for (int i = begin; i < end && !this->cancelled(); ++i)
+        {
+          body(i);
+        }
+      });
+  }
+
   // Takes progress in [0, 1]. Called by the kernel's own thread only.
   std::function<void(double)> progress = [](double) {};
 

@@ -73,16 +73,16 @@ struct Sides
     for (int v = begin; v < end; ++v)
     {
       const std::size_t first = this->all.size();
-      for (const int* t = around.begin(v); t != around.end(v); ++t)
+      for (const int t : around[v])
       {
-        const Triangle& c = mesh.triangles[*t];
+        const Triangle& c = mesh.triangles[t];
         if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
         {
           continue;
         }
         const int k = c[0] == v ? 0 : c[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
-        this->add(v, c[k == 2 ? 0 : k + 1], 3 * *t + k);
-        this->add(v, c[before], 3 * *t + before);
+        this->add(v, c[k == 2 ? 0 : k + 1], 3 * t + k);
+        this->add(v, c[before], 3 * t + before);
       }
       sortSides(this->all.data() + first, this->all.data() + this->all.size());
       this->counts.push_back(static_cast<int>(this->all.size() - first));
@@ -149,9 +149,9 @@ template <typename FacetNormal>
 Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetNormal& facet)
 {
   Vector3 sum = Vector3::Zero();
-  for (const int* t = around.begin(vertex); t != around.end(vertex); ++t)
+  for (const int t : around[vertex])
   {
-    const Triangle& c = mesh.triangles[*t];
+    const Triangle& c = mesh.triangles[t];
     for (int k = 0; k < 3; ++k)
     {
       if (c[k] == vertex)
@@ -159,7 +159,7 @@ Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetN
         const Vector3& p = mesh.points[vertex];
         const Vector3 a = mesh.points[c[(k + 1) % 3]] - p;
         const Vector3 b = mesh.points[c[(k + 2) % 3]] - p;
-        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * facet(*t);
+        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * facet(t);
       }
     }
   }
@@ -216,14 +216,9 @@ Adjacency buildAdjacency(const Mesh& mesh, const Context& context)
   std::vector<Sides> parts((vertices + Sides::vertices - 1) / Sides::vertices);
   const auto eachPart = [&](auto&& visit)
   {
-    context.parallelFor(static_cast<int>(parts.size()),
-      [&](int begin, int end)
-      {
-        for (int part = begin; part < end; ++part)
-        {
-          visit(part, part * Sides::vertices, std::min((part + 1) * Sides::vertices, vertices));
-        }
-      });
+    context.each(static_cast<int>(parts.size()),
+      [&](int part)
+      { visit(part, part * Sides::vertices, std::min((part + 1) * Sides::vertices, vertices)); });
   };
   eachPart([&](int part, int begin, int end) { parts[part].gather(mesh, around, begin, end); });
   std::vector<int> firstEdge(parts.size() + 1, 0), firstSide(parts.size() + 1, 0); // of a part
@@ -284,21 +279,11 @@ std::vector<Vector3> vertexNormals(const Mesh& mesh)
 std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context)
 {
   std::vector<Vector3> facets(mesh.triangles.size()), normals(mesh.points.size());
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.each(mesh.triangleCount(), [&](int t) { facets[t] = facetNormal(mesh, t); });
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int t = begin; t < end; ++t)
-      {
-        facets[t] = facetNormal(mesh, t);
-      }
-    });
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end; ++v)
-      {
-        normals[v] = normalAt(mesh, around, v, [&facets](int t) -> const Vector3& { return facets[t]; });
-      }
+      normals[v] = normalAt(mesh, around, v, [&facets](int t) -> const Vector3& { return facets[t]; });
     });
   return normals;
 }
@@ -340,13 +325,13 @@ std::vector<double> edgeDistances(const Mesh& mesh,
     {
       continue;
     }
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      const double through = d + (mesh.points[*n] - mesh.points[v]).norm();
-      if (through <= limit && through < distance[*n])
+      const double through = d + (mesh.points[n] - mesh.points[v]).norm();
+      if (through <= limit && through < distance[n])
       {
-        distance[*n] = through;
-        queue.push({ through, *n });
+        distance[n] = through;
+        queue.push({ through, n });
       }
     }
   }

@@ -35,6 +35,15 @@ struct Lists
   const int* begin(int i) const { return this->values.data() + this->offsets[i]; }
   const int* end(int i) const { return this->values.data() + this->offsets[i + 1]; }
   int size(int i) const { return this->offsets[i + 1] - this->offsets[i]; }
+
+  // A list to be walked over.
+  struct Range
+  {
+    const int *first, *last;
+    const int* begin() const { return this->first; }
+    const int* end() const { return this->last; }
+  };
+  Range operator[](int i) const { return { this->begin(i), this->end(i) }; }
 };
 
 struct MeshEdge
@@ -63,6 +72,10 @@ struct Adjacency
   const int* trianglesEnd(int edge) const
   {
     return this->trianglesBegin(edge) + this->edges[edge].triangleCount;
+  }
+  Lists::Range trianglesAt(int edge) const
+  {
+    return { this->trianglesBegin(edge), this->trianglesEnd(edge) };
   }
 };
 

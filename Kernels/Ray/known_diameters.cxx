@@ -73,15 +73,12 @@ public:
       std::vector<char>(this->Model.points.size(), 0), std::vector<int>(this->Model.points.size(), -1), {}
     };
     std::vector<char>& kept = taken.kept;
-    this->Caller.parallelFor(this->Model.vertexCount(),
-      [&](int begin, int end)
+    this->Caller.each(this->Model.vertexCount(),
+      [&](int v)
       {
-        for (int v = begin; v < end; ++v)
-        {
-          const int before = this->Match.vertices[v];
-          kept[v] = before >= 0 && this->Normals[v].squaredNorm() > 0.0 &&
-                    this->Sides[v] == this->Known.sides[before];
-        }
+        const int before = this->Match.vertices[v];
+        kept[v] =
+          before >= 0 && this->Normals[v].squaredNorm() > 0.0 && this->Sides[v] == this->Known.sides[before];
       });
     std::vector<int> vertices;
     std::copy_if(this->Scene.order.begin(),
@@ -91,22 +88,19 @@ public:
     Mesh changed = changedFacets(*this->Known.mesh, this->Model, this->Match);
     this->dropCones(changed, vertices, kept);
     this->dropRays(std::move(changed), vertices, makeCaster, taken);
-    this->Caller.parallelFor(this->Model.vertexCount(),
-      [&](int begin, int end)
+    this->Caller.each(this->Model.vertexCount(),
+      [&](int v)
       {
-        for (int v = begin; v < end; ++v)
+        if (kept[v])
         {
-          if (kept[v])
-          {
-            const int before = this->Match.vertices[v];
-            result.diameter[v] = this->Known.measures.diameter[before];
-            result.measured[v] = this->Known.measures.measured[before];
-            result.reach[v] = this->Known.measures.reach[before];
-            const auto lengths = this->lengths(v);
-            std::copy(lengths,
-              lengths + this->Cone.size(),
-              result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->Cone.size()));
-          }
+          const int before = this->Match.vertices[v];
+          result.diameter[v] = this->Known.measures.diameter[before];
+          result.measured[v] = this->Known.measures.measured[before];
+          result.reach[v] = this->Known.measures.reach[before];
+          const auto lengths = this->lengths(v);
+          std::copy(lengths,
+            lengths + this->Cone.size(),
+            result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->Cone.size()));
         }
       });
     return taken;
@@ -187,21 +181,18 @@ private:
           });
       }
       caster->cast(batch, hits, this->Caller);
-      this->Caller.parallelFor(count,
-        [&](int begin, int end)
+      this->Caller.each(count,
+        [&](int i)
         {
-          for (int i = begin; i < end; ++i)
+          const int v = vertices[first + i];
+          const auto lengths = this->lengths(v);
+          const RayLengths packing(this->reach(v));
+          taken.kept[v] = 1;
+          for (int k = 0; k < rays; ++k)
           {
-            const int v = vertices[first + i];
-            const auto lengths = this->lengths(v);
-            const RayLengths packing(this->reach(v));
-            taken.kept[v] = 1;
-            for (int k = 0; k < rays; ++k)
-            {
-              RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
-              hit.triangle = hit.distance > packing.unpack(lengths[k]) ? -1 : hit.triangle;
-              taken.kept[v] = hit.triangle >= 0 ? 0 : taken.kept[v];
-            }
+            RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
+            hit.triangle = hit.distance > packing.unpack(lengths[k]) ? -1 : hit.triangle;
+            taken.kept[v] = hit.triangle >= 0 ? 0 : taken.kept[v];
           }
         });
       this->addBounds(vertices.data() + first, count, hits, taken);
@@ -275,17 +266,14 @@ RayBatch conesOf(const int* vertices,
   batch.vertices.assign(vertices, vertices + count);
   batch.starts.assign(count, 0.0f);
   batch.directions.resize(static_cast<std::size_t>(count) * rays);
-  context.parallelFor(count,
-    [&](int begin, int end)
+  context.each(count,
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]], sides[vertices[i]]);
+      for (int k = 0; k < rays; ++k)
       {
-        const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]], sides[vertices[i]]);
-        for (int k = 0; k < rays; ++k)
-        {
-          const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
-          batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
-        }
+        const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
+        batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
       }
     });
   return batch;

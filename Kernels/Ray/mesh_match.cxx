@@ -116,14 +116,8 @@ Pairs match(int before, int now, const HashOf& hash, const Equal& equal, const C
   for (int side = 0; side < 2; ++side)
   {
     hashes[side].resize(rest[side].size());
-    context.parallelFor(static_cast<int>(rest[side].size()),
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          hashes[side][i] = hash(side, rest[side][i]);
-        }
-      });
+    context.each(
+      static_cast<int>(rest[side].size()), [&](int i) { hashes[side][i] = hash(side, rest[side][i]); });
   }
   // Open addressing, at most half full.
   std::uint32_t mask = 1;
@@ -150,14 +144,11 @@ Pairs match(int before, int now, const HashOf& hash, const Equal& equal, const C
     pairs.gone[rest[0][i]] = entry < 0; // equal ones once
     entry = entry < 0 ? i : entry;
   }
-  context.parallelFor(static_cast<int>(rest[1].size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(rest[1].size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const int entry = table[place(1, i)];
-        pairs.found[rest[1][i]] = entry < 0 ? -1 : rest[0][entry];
-      }
+      const int entry = table[place(1, i)];
+      pairs.found[rest[1][i]] = entry < 0 ? -1 : rest[0][entry];
     });
   for (const int i : rest[1])
   {
@@ -220,14 +211,8 @@ MeshMatch matchMeshes(const Mesh& before,
       context);
   };
   Pairs vertices, facets;
-  context.parallelFor(2,
-    [&](int begin, int end)
-    {
-      for (int which = begin; which < end; ++which)
-      {
-        (which == 0 ? vertices : facets) = which == 0 ? matchVertices() : matchFacets();
-      }
-    });
+  context.each(
+    2, [&](int which) { (which == 0 ? vertices : facets) = which == 0 ? matchVertices() : matchFacets(); });
   MeshMatch result;
   result.vertices = std::move(vertices.found);
   for (int t = 0; t < now.triangleCount(); ++t)

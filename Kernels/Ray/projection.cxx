@@ -382,14 +382,7 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   }
   const StrokeTracer tracer(surface, view, tolerance);
   std::vector<Seen> seen(stroke.size());
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
-      {
-        seen[i] = tracer.look(stroke[i], i);
-      }
-    });
+  context.eachUntilCancelled(count, [&](int i) { seen[i] = tracer.look(stroke[i], i); });
   context.checkpoint(0.3);
   if (closed)
   {
@@ -398,19 +391,16 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   }
   // Row 0 is the first sample, row i what follows sample i - 1 up to sample i.
   std::vector<std::vector<SurfaceSample>> rows(seen.size());
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      if (i > 0)
       {
-        if (i > 0)
-        {
-          tracer.join(seen[i - 1], seen[i], rows[i]);
-        }
-        else if (seen[0].hit.found())
-        {
-          rows[0].push_back({ seen[0].hit.at, seen[0].hit.position, 0.0 });
-        }
+        tracer.join(seen[i - 1], seen[i], rows[i]);
+      }
+      else if (seen[0].hit.found())
+      {
+        rows[0].push_back({ seen[0].hit.at, seen[0].hit.position, 0.0 });
       }
     });
   context.checkpoint(0.9);

@@ -83,25 +83,22 @@ CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Con
   };
   const int count = static_cast<int>(points.size());
   std::vector<Entry> entries(points.size()), sorted(points.size());
-  context.parallelFor((count + wide - 1) / wide,
-    [&](int begin, int end)
+  context.each((count + wide - 1) / wide,
+    [&](int block)
     {
-      for (int block = begin; block < end; ++block)
+      const int first = block * wide, last = std::min(first + wide, count);
+      WideBits cells[3] = {}, keys;
+      for (int i = first; i < last; ++i)
       {
-        const int first = block * wide, last = std::min(first + wide, count);
-        WideBits cells[3] = {}, keys;
-        for (int i = first; i < last; ++i)
+        for (int k = 0; k < 3; ++k)
         {
-          for (int k = 0; k < 3; ++k)
-          {
-            cells[k][i - first] = cellOf(points[i][k]);
-          }
+          cells[k][i - first] = cellOf(points[i][k]);
         }
-        curveKeys(cells, keys);
-        for (int i = first; i < last; ++i)
-        {
-          entries[i] = { keys[i - first], i };
-        }
+      }
+      curveKeys(cells, keys);
+      for (int i = first; i < last; ++i)
+      {
+        entries[i] = { keys[i - first], i };
       }
     });
   // Stable, digit by digit: serial, yet a small part of what the order saves.
@@ -219,34 +216,28 @@ RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& cont
   , facets(mesh.triangles.size())
   , frame(within)
 {
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        const Eigen::Vector3f q = this->inScene(mesh.points[v]).cast<float>();
-        this->points[v] = { q[0], q[1], q[2], 0.0f };
-      }
+      const Eigen::Vector3f q = this->inScene(mesh.points[v]).cast<float>();
+      this->points[v] = { q[0], q[1], q[2], 0.0f };
     });
   CurveOrder along = curveOrder(this->points, context);
   this->order = std::move(along.indices);
   this->findPlaces(along.cells);
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.each(mesh.triangleCount(),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const Triangle& t = mesh.triangles[i];
-        RayFacet& facet = this->facets[i];
-        const Vector3 a = this->inScene(mesh.points[t[0]]);
-        // In the unit of the scene: the cross product of tiny edges would otherwise underflow.
-        facet.plane = ((mesh.points[t[1]] - mesh.points[t[0]]) / within.scale)
-                        .cross((mesh.points[t[2]] - mesh.points[t[0]]) / within.scale);
-        facet.offset = facet.plane.dot(a);
-        const Eigen::Vector3f n = facet.plane.stableNormalized().cast<float>();
-        facet.normal = { n[0], n[1], n[2] };
-        facet.places = { this->places[t[0]], this->places[t[1]], this->places[t[2]] };
-      }
+      const Triangle& t = mesh.triangles[i];
+      RayFacet& facet = this->facets[i];
+      const Vector3 a = this->inScene(mesh.points[t[0]]);
+      // In the unit of the scene: the cross product of tiny edges would otherwise underflow.
+      facet.plane = ((mesh.points[t[1]] - mesh.points[t[0]]) / within.scale)
+                      .cross((mesh.points[t[2]] - mesh.points[t[0]]) / within.scale);
+      facet.offset = facet.plane.dot(a);
+      const Eigen::Vector3f n = facet.plane.stableNormalized().cast<float>();
+      facet.normal = { n[0], n[1], n[2] };
+      facet.places = { this->places[t[0]], this->places[t[1]], this->places[t[2]] };
     });
 }
 

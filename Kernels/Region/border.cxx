@@ -33,12 +33,11 @@ std::vector<char> nearBorder(const Adjacency& adjacency, const std::vector<char>
     {
       continue;
     }
-    for (const int* n = adjacency.vertexVertices.begin(inside); n != adjacency.vertexVertices.end(inside);
-         ++n)
+    for (const int n : adjacency.vertexVertices[inside])
     {
-      for (int v : { inside, *n })
+      for (int v : { inside, n })
       {
-        if (!region[*n] && !near[v])
+        if (!region[n] && !near[v])
         {
           near[v] = 1;
           front.push_back(v);
@@ -51,12 +50,12 @@ std::vector<char> nearBorder(const Adjacency& adjacency, const std::vector<char>
     std::vector<int> next;
     for (int v : front)
     {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (!near[*n])
+        if (!near[n])
         {
-          near[*n] = 1;
-          next.push_back(*n);
+          near[n] = 1;
+          next.push_back(n);
         }
       }
     }
@@ -85,10 +84,10 @@ std::vector<char> smoothBorder(const Adjacency& adjacency,
       return { Plain, -1 };
     }
     int inside = 0, outside = 0, other = -1;
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      ++(result[*n] ? inside : outside);
-      other = result[*n] ? other : *n;
+      ++(result[n] ? inside : outside);
+      other = result[n] ? other : n;
     }
     if (inside <= 2 && outside > 0 && !adjacency.borderVertex[v] && !isSeed[v] && mayFlip(v))
     {
@@ -123,10 +122,9 @@ std::vector<char> smoothBorder(const Adjacency& adjacency,
     ++flips[target];
     // A vertex's kind depends on its neighbours, and on whether its one outside neighbour may still flip.
     update(target);
-    for (const int* n = adjacency.vertexVertices.begin(target); n != adjacency.vertexVertices.end(target);
-         ++n)
+    for (const int n : adjacency.vertexVertices[target])
     {
-      update(*n);
+      update(n);
     }
   }
   if (std::any_of(isSeed.begin(), isSeed.end(), [](char s) { return s != 0; }))

@@ -57,11 +57,11 @@ void eachNeighbour(const Adjacency& adjacency, int triangle, const Visit& visit)
   {
     if (edge >= 0)
     {
-      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      for (const int t : adjacency.trianglesAt(edge))
       {
-        if (*t != triangle)
+        if (t != triangle)
         {
-          visit(*t);
+          visit(t);
         }
       }
     }
@@ -356,12 +356,12 @@ std::vector<char> cutBridges(const Mesh& mesh,
     }
     if (region[v])
     {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (!region[*n] && !met[*n])
+        if (!region[n] && !met[n])
         {
-          met[*n] = 1;
-          outside.push_back(*n);
+          met[n] = 1;
+          outside.push_back(n);
         }
       }
     }
@@ -450,9 +450,9 @@ Borders bordersOf(const Mesh& mesh, const Adjacency& adjacency, const std::vecto
   std::vector<double> lengths(crossed.size(), 0.0);
   for (const int edge : crossed)
   {
-    for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+    for (const int t : adjacency.trianglesAt(edge))
     {
-      for (const int other : adjacency.triangleEdges[*t])
+      for (const int other : adjacency.triangleEdges[t])
       {
         const MeshEdge& ends = adjacency.edges[other];
         if (other <= edge || region[ends.v0] == region[ends.v1])

@@ -92,12 +92,12 @@ void grow(const Adjacency& adjacency,
       {
         continue;
       }
-      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      for (const int t : adjacency.trianglesAt(edge))
       {
-        if (faces[*t] == 0)
+        if (faces[t] == 0)
         {
-          faces[*t] = 2;
-          front.push_back(*t);
+          faces[t] = 2;
+          front.push_back(t);
         }
       }
     }

@@ -40,12 +40,12 @@ Pieces piecesOf(const Adjacency& adjacency, const std::vector<char>& label, char
     {
       const int v = open.back();
       open.pop_back();
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (pieces.of[*n] < 0 && label[*n] == which)
+        if (pieces.of[n] < 0 && label[n] == which)
         {
-          pieces.of[*n] = piece;
-          open.push_back(*n);
+          pieces.of[n] = piece;
+          open.push_back(n);
         }
       }
     }
@@ -144,14 +144,12 @@ private:
         continue;
       }
       this->RestAreas[this->Parts.of[v]] -= this->Parts.areas[v];
-      for (const int* n = this->Neighbours.vertexVertices.begin(v);
-           n != this->Neighbours.vertexVertices.end(v);
-           ++n)
+      for (const int n : this->Neighbours.vertexVertices[v])
       {
-        if (!this->Grown[*n] && !inRing[*n])
+        if (!this->Grown[n] && !inRing[n])
         {
-          inRing[*n] = 1;
-          ring.push_back(*n);
+          inRing[n] = 1;
+          ring.push_back(n);
         }
       }
     }
@@ -172,14 +170,12 @@ private:
       for (std::size_t i = 0; i < vertices.size(); ++i)
       {
         const int v = vertices[i];
-        for (const int* n = this->Neighbours.vertexVertices.begin(v);
-             n != this->Neighbours.vertexVertices.end(v);
-             ++n)
+        for (const int n : this->Neighbours.vertexVertices[v])
         {
-          if (inRing[*n] && this->FloodOf[*n] < 0)
+          if (inRing[n] && this->FloodOf[n] < 0)
           {
-            this->FloodOf[*n] = id;
-            vertices.push_back(*n);
+            this->FloodOf[n] = id;
+            vertices.push_back(n);
           }
         }
       }
@@ -210,20 +206,19 @@ private:
       return;
     }
     const int v = this->Floods[id].vertices[this->Floods[id].next++];
-    for (const int* n = this->Neighbours.vertexVertices.begin(v); n != this->Neighbours.vertexVertices.end(v);
-         ++n)
+    for (const int n : this->Neighbours.vertexVertices[v])
     {
-      if (this->Grown[*n])
+      if (this->Grown[n])
       {
         continue;
       }
-      if (this->FloodOf[*n] < 0)
+      if (this->FloodOf[n] < 0)
       {
-        this->FloodOf[*n] = id;
-        this->Floods[id].vertices.push_back(*n);
+        this->FloodOf[n] = id;
+        this->Floods[id].vertices.push_back(n);
         continue;
       }
-      const int mine = this->leader(id), other = this->leader(this->FloodOf[*n]);
+      const int mine = this->leader(id), other = this->leader(this->FloodOf[n]);
       if (mine != other)
       {
         // A piece that has been walked to its end meets nobody, so both are open.
@@ -277,12 +272,12 @@ std::vector<char> growRegion(const Adjacency& adjacency,
   std::vector<char> queued(ratio.size(), 0);
   const auto queueNeighbours = [&](int v)
   {
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      if (!region[*n] && !queued[*n] && (allowed.empty() || allowed[*n]))
+      if (!region[n] && !queued[n] && (allowed.empty() || allowed[n]))
       {
-        queued[*n] = 1;
-        queue.push_back(*n);
+        queued[n] = 1;
+        queue.push_back(n);
       }
     }
   };
@@ -300,9 +295,9 @@ std::vector<char> growRegion(const Adjacency& adjacency,
     queue.pop_front();
     queued[v] = 0;
     int selected = 0;
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      selected += region[*n];
+      selected += region[n];
     }
     const int unselected = adjacency.vertexVertices.size(v) - selected;
     if (ratio[v] > lambda * (unselected - selected))
@@ -318,19 +313,16 @@ MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context&
 {
   Pieces pieces;
   std::vector<double> areas;
-  context.parallelFor(2,
-    [&](int begin, int end)
+  context.each(2,
+    [&](int which)
     {
-      for (int which = begin; which < end; ++which)
+      if (which == 0)
       {
-        if (which == 0)
-        {
-          pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
-        }
-        else
-        {
-          areas = vertexAreas(mesh);
-        }
+        pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
+      }
+      else
+      {
+        areas = vertexAreas(mesh);
       }
     });
   MeshParts parts{ std::move(areas), std::move(pieces.of), pieces.count, {} };
@@ -444,12 +436,12 @@ bool isWithinTwoRings(const Adjacency& adjacency, const MeshParts& parts, int ve
     std::vector<int> next;
     for (int v : ring)
     {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (!near[*n])
+        if (!near[n])
         {
-          near[*n] = 1;
-          next.push_back(*n);
+          near[n] = 1;
+          next.push_back(n);
         }
       }
     }

@@ -345,12 +345,12 @@ TEST(Region, IslandsAreFoundFromTheRegionAsFromTheWhole)
           const int v = stack.back();
           stack.pop_back();
           area.back() += parts.areas[v];
-          for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+          for (const int n : adjacency.vertexVertices[v])
           {
-            if (!region[*n] && piece[*n] < 0)
+            if (!region[n] && piece[n] < 0)
             {
-              piece[*n] = piece[start];
-              stack.push_back(*n);
+              piece[n] = piece[start];
+              stack.push_back(n);
             }
           }
         }

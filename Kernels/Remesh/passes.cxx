@@ -56,14 +56,8 @@ template <typename Test>
 std::vector<int> edgesWhere(const Patch& patch, const Context& context, Test&& test)
 {
   std::vector<char> found(3 * static_cast<std::size_t>(patch.triangleCount()), 0);
-  context.parallelFor(patch.triangleCount(),
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
-      {
-        patch.eachEdge(t, [&](int h) { found[h] = test(h) ? 1 : 0; });
-      }
-    });
+  context.each(
+    patch.triangleCount(), [&](int t) { patch.eachEdge(t, [&](int h) { found[h] = test(h) ? 1 : 0; }); });
   std::vector<int> edges;
   for (auto next = std::find(found.begin(), found.end(), 1); next != found.end();
        next = std::find(next + 1, found.end(), 1))
@@ -211,14 +205,8 @@ private:
   std::vector<int> atFolds() const
   {
     std::vector<Vector3> normals(this->Area.triangleCount());
-    this->Caller.parallelFor(this->Area.triangleCount(),
-      [&](int begin, int end)
-      {
-        for (int t = begin; t < end; ++t)
-        {
-          normals[t] = this->Area.aliveTriangle(t) ? this->cross(t) : Vector3::Zero();
-        }
-      });
+    this->Caller.each(this->Area.triangleCount(),
+      [&](int t) { normals[t] = this->Area.aliveTriangle(t) ? this->cross(t) : Vector3::Zero(); });
     std::vector<int> vertices;
     for (int h = 0; h < 3 * this->Area.triangleCount(); ++h)
     {

@@ -78,14 +78,7 @@ private:
   std::vector<Value> each(int count, const Make& make) const
   {
     std::vector<Value> values(static_cast<std::size_t>(count));
-    this->Caller.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          values[i] = make(i);
-        }
-      });
+    this->Caller.each(count, [&](int i) { values[i] = make(i); });
     return values;
   }
 

@@ -182,16 +182,13 @@ private:
     source.resize(outside + order.size());
     mesh.triangles.resize(outside + order.size());
     this->Result.insideCorners.resize(order.size());
-    context.parallelFor(outside,
-      [&](int begin, int end)
+    context.each(outside,
+      [&](int i)
       {
-        for (int i = begin; i < end; ++i)
-        {
-          const Triangle& c = this->Input.mesh.triangles[source[i]];
-          mesh.triangles[i] = {
-            this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]]
-          };
-        }
+        const Triangle& c = this->Input.mesh.triangles[source[i]];
+        mesh.triangles[i] = {
+          this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]]
+        };
       });
     context.parallelFor(count,
       [&](int begin, int end)

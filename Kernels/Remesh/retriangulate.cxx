@@ -85,9 +85,9 @@ double largestCurvature(const Mesh& mesh, const Adjacency& adjacency, int v, con
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Vector3 sums = Vector3::Zero();
   double largest = 0.0;
-  for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+  for (const int n : adjacency.vertexVertices[v])
   {
-    const Vector3 edge = mesh.points[*n] - mesh.points[v];
+    const Vector3 edge = mesh.points[n] - mesh.points[v];
     const Vector2 flat(side.dot(edge), other.dot(edge));
     if (!(flat.squaredNorm() > 0.0))
     {
@@ -115,15 +115,12 @@ std::vector<double> curvatureSizes(const Mesh& mesh, double meanEdge, const Cont
   const Adjacency adjacency = buildAdjacency(mesh);
   const std::vector<Vector3> normals = vertexNormals(mesh);
   std::vector<double> sizes(mesh.points.size());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        const double bend =
-          normals[v] == Vector3::Zero() ? 0.0 : largestCurvature(mesh, adjacency, v, normals[v]) * meanEdge;
-        sizes[v] = meanEdge * (bend > 0.0 ? std::clamp(roundEdge / bend, finest, coarsest) : coarsest);
-      }
+      const double bend =
+        normals[v] == Vector3::Zero() ? 0.0 : largestCurvature(mesh, adjacency, v, normals[v]) * meanEdge;
+      sizes[v] = meanEdge * (bend > 0.0 ? std::clamp(roundEdge / bend, finest, coarsest) : coarsest);
     });
   return sizes;
 }
@@ -257,11 +254,11 @@ Eigen::Matrix3d slopeAt(const Mesh& rest,
 {
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(), products = Eigen::Matrix3d::Zero();
   const Vector3 own = moved[v] - rest.points[v];
-  for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+  for (const int n : adjacency.vertexVertices[v])
   {
-    const Vector3 edge = rest.points[*n] - rest.points[v];
+    const Vector3 edge = rest.points[n] - rest.points[v];
     const Vector3 along = edge - normal * normal.dot(edge);
-    const Vector3 change = moved[*n] - rest.points[*n] - own;
+    const Vector3 change = moved[n] - rest.points[n] - own;
     squares += along * along.transpose();
     products += change * along.transpose();
   }
@@ -291,30 +288,27 @@ Motion motionBetween(const Mesh& rest,
     if (moved[v] != rest.points[v])
     {
       concerned[v] = 1;
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        concerned[*n] = 1;
+        concerned[n] = 1;
       }
     }
   }
-  context.parallelFor(rest.vertexCount(),
-    [&](int begin, int end)
+  context.each(rest.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (!concerned[v])
       {
-        if (!concerned[v])
-        {
-          continue;
-        }
-        double* values = motion.values.data() + channels * static_cast<std::size_t>(v);
-        const Vector3 own = moved[v] - rest.points[v];
-        const Eigen::Matrix3d slope =
-          slopeAt(rest, adjacency, moved, vertexNormal(rest, adjacency.vertexTriangles, v), v);
-        const Vector3 atOrigin = own - slope * rest.points[v];
-        std::copy_n(own.data(), 3, values);
-        std::copy_n(atOrigin.data(), 3, values + 3);
-        std::copy_n(slope.data(), 9, values + 6);
+        return;
       }
+      double* values = motion.values.data() + channels * static_cast<std::size_t>(v);
+      const Vector3 own = moved[v] - rest.points[v];
+      const Eigen::Matrix3d slope =
+        slopeAt(rest, adjacency, moved, vertexNormal(rest, adjacency.vertexTriangles, v), v);
+      const Vector3 atOrigin = own - slope * rest.points[v];
+      std::copy_n(own.data(), 3, values);
+      std::copy_n(atOrigin.data(), 3, values + 3);
+      std::copy_n(slope.data(), 9, values + 6);
     });
   motion.movement = [](const std::vector<Vector3>& points, const std::vector<double>& values)
   {

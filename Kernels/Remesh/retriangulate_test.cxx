@@ -44,14 +44,12 @@ struct Edited
     this->region[front[0]] = 2;
     for (std::size_t i = 0; i < front.size(); ++i)
     {
-      for (const int* n = adjacency.vertexVertices.begin(front[i]);
-           n != adjacency.vertexVertices.end(front[i]);
-           ++n)
+      for (const int n : adjacency.vertexVertices[front[i]])
       {
-        if (this->region[*n] == 0)
+        if (this->region[n] == 0)
         {
-          this->region[*n] = 2;
-          front.push_back(*n);
+          this->region[n] = 2;
+          front.push_back(n);
         }
       }
     }

@@ -252,11 +252,11 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
     for (int i = 0; i < count; ++i)
     {
       const int v = support[i];
-      for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
+      for (const int t : this->VertexTriangles[v])
       {
-        if (*t != from.triangle && this->chart(*t) == chart)
+        if (t != from.triangle && this->chart(t) == chart)
         {
-          consider(*t);
+          consider(t);
         }
       }
     }
@@ -270,13 +270,12 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
 
 int Surface::triangleWith(const std::vector<int>& vertices) const
 {
-  for (const int* t = this->VertexTriangles.begin(vertices[0]); t != this->VertexTriangles.end(vertices[0]);
-       ++t)
+  for (const int t : this->VertexTriangles[vertices[0]])
   {
-    const auto holds = [&](int v) { return cornerOf(this->Model.triangles[*t], v) >= 0; };
+    const auto holds = [&](int v) { return cornerOf(this->Model.triangles[t], v) >= 0; };
     if (std::all_of(vertices.begin(), vertices.end(), holds))
     {
-      return *t;
+      return t;
     }
   }
   return -1;
@@ -287,13 +286,13 @@ bool Surface::middle(const SurfacePoint& a, const SurfacePoint& b, int chart, Su
   std::array<int, 3> support;
   supportOf(this->Model, a, support);
   const int v = support[0];
-  for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
+  for (const int t : this->VertexTriangles[v])
   {
-    if (chart >= 0 && this->chart(*t) != chart)
+    if (chart >= 0 && this->chart(t) != chart)
     {
       continue;
     }
-    if (this->middleIn(*t, a, b, result))
+    if (this->middleIn(t, a, b, result))
     {
       return true;
     }
@@ -331,13 +330,12 @@ SurfacePoint Surface::inChart(const SurfacePoint& at, int chart, const Vector3& 
   }
   SurfacePoint best = at;
   double bestDistance = std::numeric_limits<double>::infinity();
-  for (const int* t = this->VertexTriangles.begin(support[0]); t != this->VertexTriangles.end(support[0]);
-       ++t)
+  for (const int t : this->VertexTriangles[support[0]])
   {
-    if (this->chart(*t) == chart)
+    if (this->chart(t) == chart)
     {
-      const SurfacePoint place = seenFrom(this->Model, at, *t);
-      const Triangle& corners = this->Model.triangles[*t];
+      const SurfacePoint place = seenFrom(this->Model, at, t);
+      const Triangle& corners = this->Model.triangles[t];
       const Vector3 middle =
         (this->Model.points[corners[0]] + this->Model.points[corners[1]] + this->Model.points[corners[2]]) /
         3.0;

@@ -114,20 +114,17 @@ Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions
       this->items[v].at[k] = static_cast<float>((positions[v][k] - low[k]) * scale);
     }
   }
-  context.parallelFor(static_cast<int>(positions.size()),
-    [this](int begin, int end)
+  context.each(static_cast<int>(positions.size()),
+    [this](int v)
     {
-      for (int v = begin; v < end; ++v)
+      Item& item = this->items[v];
+      item.low = item.high = item.at;
+      for (const int n : this->Pattern[v])
       {
-        Item& item = this->items[v];
-        item.low = item.high = item.at;
-        for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
+        for (int k = 0; k < 3; ++k)
         {
-          for (int k = 0; k < 3; ++k)
-          {
-            item.low[k] = std::min(item.low[k], this->items[*n].at[k]);
-            item.high[k] = std::max(item.high[k], this->items[*n].at[k]);
-          }
+          item.low[k] = std::min(item.low[k], this->items[n].at[k]);
+          item.high[k] = std::max(item.high[k], this->items[n].at[k]);
         }
       }
     });
@@ -196,12 +193,12 @@ void Dissector::measure(int begin, int end, int label)
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
       const auto [v, depth] = depths[i];
-      for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
+      for (const int n : this->Pattern[v])
       {
-        if (this->Label[*n] == label)
+        if (this->Label[n] == label)
         {
-          this->Label[*n] = label + 1;
-          depths.emplace_back(*n, depth + 1.0F);
+          this->Label[n] = label + 1;
+          depths.emplace_back(n, depth + 1.0F);
         }
       }
     }

@@ -171,9 +171,9 @@ void checkManifold(const Mesh& mesh, const Adjacency& adjacency)
     {
       flat.addId(t);
     }
-    for (const int* other = adjacency.trianglesBegin(edge); other != adjacency.trianglesEnd(edge); ++other)
+    for (const int other : adjacency.trianglesAt(edge))
     {
-      if (*other < t && sameCorners(mesh.triangles[*other], corners))
+      if (other < t && sameCorners(mesh.triangles[other], corners))
       {
         repeated.addId(t);
         break;

@@ -214,17 +214,13 @@ void startFrom(const Forest& before, const std::vector<int>& changing, Forest& a
 int turned(const Forest& forest, const CurvesReached& reached, const Context& context)
 {
   std::vector<char> turned(reached.faces.size(), 0);
-  context.parallelFor(static_cast<int>(turned.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(turned.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const int* v = forest.faces[reached.faces[i]].v;
-        const Vector3 rise =
-          forest.displacement[v[0]] + forest.displacement[v[1]] + forest.displacement[v[2]];
-        const Vector3 &old = reached.normals[i], now = forest.facetNormal(reached.faces[i]);
-        turned[i] = old.dot(now) < 0.0 && old.dot(rise) * now.dot(rise) <= 0.0 ? 1 : 0;
-      }
+      const int* v = forest.faces[reached.faces[i]].v;
+      const Vector3 rise = forest.displacement[v[0]] + forest.displacement[v[1]] + forest.displacement[v[2]];
+      const Vector3 &old = reached.normals[i], now = forest.facetNormal(reached.faces[i]);
+      turned[i] = old.dot(now) < 0.0 && old.dot(rise) * now.dot(rise) <= 0.0 ? 1 : 0;
     });
   return static_cast<int>(std::count(turned.begin(), turned.end(), 1));
 }
@@ -351,14 +347,8 @@ CurvesReached reachedBy(const Forest& forest,
   reached.changing = marked(changing);
   reached.faces = facesAround(forest, reached.changing);
   reached.normals.resize(reached.faces.size());
-  context.parallelFor(static_cast<int>(reached.faces.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        reached.normals[i] = forest.facetNormal(reached.faces[i]);
-      }
-    });
+  context.each(static_cast<int>(reached.faces.size()),
+    [&](int i) { reached.normals[i] = forest.facetNormal(reached.faces[i]); });
   return reached;
 }
 
@@ -393,14 +383,11 @@ DisplaceReport displace(const Forest& before,
   if (!options.sketch)
   {
     const bool base = options.along == RiseAlong::Base && before.hasBaseNormals;
-    context.parallelFor(static_cast<int>(rises.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(rises.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
-        {
-          const int v = rises[i].vertex;
-          rises[i].move = rises[i].along * (base ? before.vertices[v].baseNormal : before.vertexNormal(v));
-        }
+        const int v = rises[i].vertex;
+        rises[i].move = rises[i].along * (base ? before.vertices[v].baseNormal : before.vertexNormal(v));
       });
   }
   context.checkpoint(0.9);

@@ -212,14 +212,8 @@ void CurveReach::everywhere(const Context& context)
 {
   const int count = static_cast<int>(this->Mesh.vertices.size());
   std::vector<char> near(count, 0);
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
-      {
-        near[v] = this->Mesh.isVertex(v) && std::isfinite(this->straight(v).distance);
-      }
-    });
+  context.eachUntilCancelled(
+    count, [&](int v) { near[v] = this->Mesh.isVertex(v) && std::isfinite(this->straight(v).distance); });
   context.checkpoint(0.0);
   for (int v = 0; v < count; ++v)
   {

@@ -498,15 +498,11 @@ void needBaseNormals(Forest& forest, const Context& context)
   {
     return;
   }
-  context.parallelFor(static_cast<int>(forest.vertices.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(forest.vertices.size()),
+    [&](int v)
     {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
+      if (forest.isVertex(v))
       {
-        if (!forest.isVertex(v))
-        {
-          continue;
-        }
         forest.vertices[v].baseNormal = forest.vertexNormal(v);
       }
     });

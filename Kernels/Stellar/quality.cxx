@@ -167,30 +167,27 @@ CurveNeighbourhood neighbourhoodOf(const Mesh& mesh,
   }
   std::vector<char> near(mesh.triangles.size(), 0);
   std::vector<double> edges(near.size(), 0.0), weights = edges, ofThin = edges;
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.eachUntilCancelled(mesh.triangleCount(),
+    [&](int f)
     {
-      for (int f = begin; f < end && !context.cancelled(); ++f)
+      const Triangle& v = mesh.triangles[f];
+      const std::array<Vector3, 3> t{ mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]] };
+      Eigen::AlignedBox3d box;
+      for (const Vector3& corner : t)
       {
-        const Triangle& v = mesh.triangles[f];
-        const std::array<Vector3, 3> t{ mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]] };
-        Eigen::AlignedBox3d box;
-        for (const Vector3& corner : t)
+        box.extend(corner);
+      }
+      for (std::size_t k = 0; k < radii.size() && !near[f]; ++k)
+      {
+        const int curve = static_cast<int>(k);
+        if (box.exteriorDistance(search.box(curve)) < radii[k] && comesNear(search, curve, radii[k], t))
         {
-          box.extend(corner);
-        }
-        for (std::size_t k = 0; k < radii.size() && !near[f]; ++k)
-        {
-          const int curve = static_cast<int>(k);
-          if (box.exteriorDistance(search.box(curve)) < radii[k] && comesNear(search, curve, radii[k], t))
-          {
-            const double longest = std::sqrt(std::max(
-              { (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() }));
-            near[f] = 1;
-            edges[f] = longest;
-            weights[f] = longest > 0.25 * radii[k] ? longest : 0.0;
-            ofThin[f] = narrowness(t[0], t[1], t[2]) < thin ? weights[f] : 0.0;
-          }
+          const double longest = std::sqrt(std::max(
+            { (t[1] - t[0]).squaredNorm(), (t[2] - t[1]).squaredNorm(), (t[0] - t[2]).squaredNorm() }));
+          near[f] = 1;
+          edges[f] = longest;
+          weights[f] = longest > 0.25 * radii[k] ? longest : 0.0;
+          ofThin[f] = narrowness(t[0], t[1], t[2]) < thin ? weights[f] : 0.0;
         }
       }
     });

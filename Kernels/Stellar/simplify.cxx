@@ -127,18 +127,15 @@ std::optional<Forest> simplify(const Forest& forest,
     const std::vector<int>& candidates = levels[level];
     const Forest& now = work ? *work : forest;
     std::vector<char> goes(candidates.size(), 0);
-    context.parallelFor(static_cast<int>(candidates.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(candidates.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
+        const int w = candidates[i];
+        if (now.weldable(w))
         {
-          const int w = candidates[i];
-          if (now.weldable(w))
-          {
-            bool far = true;
-            now.link(w, [&](int u) { far = far && !(near[u] & VerticesToKeep::Within); });
-            goes[i] = far && errorOf(now, w) < options.tolerance;
-          }
+          bool far = true;
+          now.link(w, [&](int u) { far = far && !(near[u] & VerticesToKeep::Within); });
+          goes[i] = far && errorOf(now, w) < options.tolerance;
         }
       });
     context.checkpoint(1.0 - 0.6 * static_cast<double>(level) / static_cast<double>(levels.size()));

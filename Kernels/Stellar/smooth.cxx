@@ -131,14 +131,11 @@ SmoothReport smooth(Forest& forest,
   for (int iteration = 0; iteration < options.iterations; ++iteration)
   {
     context.checkpoint(static_cast<double>(iteration) / options.iterations);
-    context.parallelFor(static_cast<int>(vertices.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(vertices.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
-        {
-          const Vector3 to = smoothed(forest, vertices[i], options.relaxation);
-          wanted[i] = source.source ? onSource(forest, vertices[i], to, source) : to;
-        }
+        const Vector3 to = smoothed(forest, vertices[i], options.relaxation);
+        wanted[i] = source.source ? onSource(forest, vertices[i], to, source) : to;
       });
     context.checkpoint((iteration + 0.5) / options.iterations);
     for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -150,17 +150,14 @@ void Snapper::start()
 {
   const int slots = static_cast<int>(this->Mesh.faces.size());
   std::vector<Scan> parts((slots + facesPerScan - 1) / facesPerScan);
-  this->Caller.parallelFor(static_cast<int>(parts.size()),
-    [&](int begin, int end)
+  this->Caller.eachUntilCancelled(static_cast<int>(parts.size()),
+    [&](int c)
     {
-      for (int c = begin; c < end && !this->Caller.cancelled(); ++c)
+      for (int f = c * facesPerScan; f < std::min((c + 1) * facesPerScan, slots); ++f)
       {
-        for (int f = c * facesPerScan; f < std::min((c + 1) * facesPerScan, slots); ++f)
+        if (this->Mesh.isFace(f) && this->Finder.near(f))
         {
-          if (this->Mesh.isFace(f) && this->Finder.near(f))
-          {
-            this->scan(f, parts[c]);
-          }
+          this->scan(f, parts[c]);
         }
       }
     });
