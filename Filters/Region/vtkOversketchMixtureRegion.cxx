@@ -178,8 +178,7 @@ Section SectionOf(vtkPolyData* handles, const MeshData& mesh, double margin, boo
   section.chord = (farthest(true) - farthest(false)).norm();
   for (std::vector<int>* list : { &section.seeds, &section.ends[0], &section.ends[1] })
   {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
+    sortUnique(*list);
   }
   return section;
 }
@@ -339,8 +338,7 @@ std::vector<int> vtkOversketchMixtureRegion::Cache::PartsWith(const std::vector<
     vertices.end(),
     std::back_inserter(held),
     [&parts](int v) { return parts.of[static_cast<std::size_t>(v)]; });
-  std::sort(held.begin(), held.end());
-  held.erase(std::unique(held.begin(), held.end()), held.end());
+  sortUnique(held);
   return static_cast<int>(held.size()) == parts.count ? std::vector<int>() : held;
 }
 

@@ -2,10 +2,8 @@
 
 #include "Mesh/context.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <queue>
 
 namespace oversketch
@@ -168,6 +166,19 @@ Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetN
 
 } // namespace
 
+std::vector<int> marked(const std::vector<char>& marks)
+{
+  std::vector<int> all;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      all.push_back(static_cast<int>(i));
+    }
+  }
+  return all;
+}
+
 int Adjacency::findEdge(int a, int b) const
 {
   const auto [low, high] = std::minmax(a, b);
@@ -179,8 +190,6 @@ int Adjacency::findEdge(int a, int b) const
 
 Lists trianglesAround(const Mesh& mesh)
 {
-  Lists lists;
-  lists.offsets.assign(mesh.points.size() + 1, 0);
   const auto eachCorner = [&mesh](auto&& visit)
   {
     for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -193,12 +202,7 @@ Lists trianglesAround(const Mesh& mesh)
         visit(v[2], t);
     }
   };
-  eachCorner([&](int v, int) { ++lists.offsets[v + 1]; });
-  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
-  lists.values.resize(lists.offsets.back());
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  eachCorner([&](int v, int t) { lists.values[next[v]++] = t; });
-  return lists;
+  return Lists::gathered(mesh.points.size(), eachCorner);
 }
 
 Adjacency buildAdjacency(const Mesh& mesh)
@@ -266,6 +270,12 @@ Vector3 facetNormal(const Mesh& mesh, int triangle)
   return unit((mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]));
 }
 
+double facetArea(const Mesh& mesh, int triangle)
+{
+  const Triangle& t = mesh.triangles[triangle];
+  return 0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+}
+
 Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex)
 {
   return normalAt(mesh, around, vertex, [&mesh](int t) { return facetNormal(mesh, t); });
@@ -294,14 +304,12 @@ double boundingDiagonal(const Mesh& mesh)
   {
     return 0.0;
   }
-  Vector3 low = mesh.points[0];
-  Vector3 high = mesh.points[0];
+  Eigen::AlignedBox3d box;
   for (const Vector3& p : mesh.points)
   {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
+    box.extend(p);
   }
-  return (high - low).norm();
+  return box.diagonal().norm();
 }
 
 std::vector<double> edgeDistances(const Mesh& mesh,

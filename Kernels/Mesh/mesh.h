@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace oversketch
@@ -18,6 +20,18 @@ struct Context;
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
+
+// The corner that a vertex is of a triangle, or -1.
+inline int cornerOf(const Triangle& t, int vertex)
+{
+  return t[0] == vertex ? 0 : t[1] == vertex ? 1 : t[2] == vertex ? 2 : -1;
+}
+
+// Whether a triangle has the edge in the direction from a to b.
+inline bool runsAlong(const Triangle& t, int a, int b)
+{
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
 
 struct Mesh
 {
@@ -39,12 +53,37 @@ struct Lists
   // A list to be walked over.
   struct Range
   {
-    const int *first, *last;
+    const int *first = nullptr, *last = nullptr;
     const int* begin() const { return this->first; }
     const int* end() const { return this->last; }
   };
   Range operator[](int i) const { return { this->begin(i), this->end(i) }; }
+
+  // So many lists: each(visit) calls visit(list, value) for the values in their order, and does so twice.
+  template <typename Each>
+  static Lists gathered(std::size_t count, const Each& each)
+  {
+    Lists lists;
+    lists.offsets.assign(count + 1, 0);
+    each([&](int i, int) { ++lists.offsets[i + 1]; });
+    std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+    lists.values.resize(lists.offsets.back());
+    std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    each([&](int i, int value) { lists.values[next[i]++] = value; });
+    return lists;
+  }
 };
+
+// The places that are marked, ascending.
+std::vector<int> marked(const std::vector<char>& marks);
+
+// Sorts values and leaves each once.
+template <typename Value>
+void sortUnique(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
 
 struct MeshEdge
 {
@@ -96,6 +135,7 @@ Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 
 // Unit facet normal, zero for a degenerate triangle.
 Vector3 facetNormal(const Mesh& mesh, int triangle);
+double facetArea(const Mesh& mesh, int triangle);
 
 double boundingDiagonal(const Mesh& mesh);
 

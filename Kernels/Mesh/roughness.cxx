@@ -10,12 +10,6 @@ namespace
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
-// Whether triangle t has the edge in the direction from a to b.
-bool runsAlong(const Triangle& t, int a, int b)
-{
-  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-}
-
 } // namespace
 
 bool rougher(const Roughness& one, const Roughness& other)

@@ -22,33 +22,34 @@ enum Kind
   Plain
 };
 
-// Vertices within `rings` rings of the region's border, both sides.
-std::vector<char> nearBorder(const Adjacency& adjacency, const std::vector<char>& region, int rings)
+} // namespace
+
+std::vector<int> borderOf(const Adjacency& adjacency, const std::vector<char>& region, bool inside)
 {
-  std::vector<char> near(region.size(), 0);
-  std::vector<int> front;
-  for (int inside = 0; inside < int(region.size()); ++inside)
+  std::vector<int> border;
+  for (int v = 0; v < static_cast<int>(region.size()); ++v)
   {
-    if (!region[inside])
+    if ((region[v] != 0) == inside && std::any_of(adjacency.vertexVertices.begin(v),
+                                        adjacency.vertexVertices.end(v),
+                                        [&](int n) { return (region[n] != 0) != inside; }))
     {
-      continue;
-    }
-    for (const int n : adjacency.vertexVertices[inside])
-    {
-      for (int v : { inside, n })
-      {
-        if (!region[n] && !near[v])
-        {
-          near[v] = 1;
-          front.push_back(v);
-        }
-      }
+      border.push_back(v);
     }
   }
-  for (int ring = 1; ring < rings; ++ring)
+  return border;
+}
+
+std::vector<char> withinRings(const Adjacency& adjacency, std::vector<int> vertices, int rings)
+{
+  std::vector<char> near(adjacency.borderVertex.size(), 0);
+  for (const int v : vertices)
+  {
+    near[v] = 1;
+  }
+  for (int ring = 0; ring < rings; ++ring)
   {
     std::vector<int> next;
-    for (int v : front)
+    for (const int v : vertices)
     {
       for (const int n : adjacency.vertexVertices[v])
       {
@@ -59,12 +60,10 @@ std::vector<char> nearBorder(const Adjacency& adjacency, const std::vector<char>
         }
       }
     }
-    front = std::move(next);
+    vertices = std::move(next);
   }
   return near;
 }
-
-} // namespace
 
 std::vector<char> smoothBorder(const Adjacency& adjacency,
   const std::vector<char>& isSeed,
@@ -73,8 +72,14 @@ std::vector<char> smoothBorder(const Adjacency& adjacency,
 {
   std::vector<char> result = region;
   std::vector<char> flips(region.size(), 0);
-  const std::vector<char> allowed =
-    rings > 0 ? nearBorder(adjacency, region, rings) : std::vector<char>(region.size(), 1);
+  std::vector<char> allowed(region.size(), 1);
+  if (rings > 0)
+  {
+    std::vector<int> border = borderOf(adjacency, region, true);
+    const std::vector<int> beyond = borderOf(adjacency, region, false);
+    border.insert(border.end(), beyond.begin(), beyond.end());
+    allowed = withinRings(adjacency, border, rings - 1);
+  }
   const auto mayFlip = [&](int v) { return allowed[v] && flips[v] < maximumFlips; };
   // What the vertex is, and the one outside neighbour of a concave one.
   const auto classify = [&](int v) -> std::pair<Kind, int>
@@ -133,27 +138,6 @@ std::vector<char> smoothBorder(const Adjacency& adjacency,
   }
   return result;
 }
-
-namespace
-{
-
-// The vertices of the region, or of the rest, next to the other, ascending.
-std::vector<int> borderOf(const Adjacency& adjacency, const std::vector<char>& region, bool inside)
-{
-  std::vector<int> border;
-  for (int v = 0; v < static_cast<int>(region.size()); ++v)
-  {
-    if ((region[v] != 0) == inside && std::any_of(adjacency.vertexVertices.begin(v),
-                                        adjacency.vertexVertices.end(v),
-                                        [&](int n) { return (region[n] != 0) != inside; }))
-    {
-      border.push_back(v);
-    }
-  }
-  return border;
-}
-
-} // namespace
 
 std::vector<char> reachEnds(const Mesh& mesh,
   const Adjacency& adjacency,

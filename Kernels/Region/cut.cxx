@@ -1,10 +1,12 @@
 #include "Region/cut.h"
 
+#include "Region/border.h"
 #include "Region/flow.h"
 #include "Region/grow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -29,10 +31,16 @@ struct Facet
   int node; // in the network; -1 outside the band
 };
 
-double areaOf(const Mesh& mesh, int triangle)
+double medianDiameter(const std::vector<double>& diameter, const std::vector<int>& vertices)
 {
-  const auto [a, b, c] = mesh.triangles[triangle];
-  return 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
+  std::vector<double> values;
+  for (const int v : vertices)
+  {
+    values.push_back(diameter[v]);
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 struct Plane
@@ -126,7 +134,7 @@ std::vector<char> minimumCut(const Mesh& mesh,
     if (facet.selected == 0 || facet.selected == 3)
     {
       (facet.selected == 3 ? network.source : network.sink)[facet.node] +=
-        std::round(scale * faithful * areaOf(mesh, t) / width);
+        std::round(scale * faithful * facetArea(mesh, t) / width);
     }
     for (const int e : adjacency.triangleEdges[t])
     {
@@ -252,28 +260,13 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const CutOptions& options,
   const Context& context)
 {
-  std::vector<int> border, seeds;
-  std::vector<double> thickness;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (isSeed[v])
-    {
-      seeds.push_back(v);
-    }
-    if (region[v] && std::any_of(adjacency.vertexVertices.begin(v),
-                       adjacency.vertexVertices.end(v),
-                       [&](int n) { return !region[n]; }))
-    {
-      border.push_back(v);
-      thickness.push_back(diameter[v]);
-    }
-  }
+  const std::vector<int> border = borderOf(adjacency, region, true);
+  const std::vector<int> seeds = marked(isSeed);
   if (border.empty())
   {
     return region;
   }
-  std::nth_element(thickness.begin(), thickness.begin() + thickness.size() / 2, thickness.end());
-  const double unit = thickness[thickness.size() / 2];
+  const double unit = medianDiameter(diameter, border);
   const double band = options.band * unit;
   if (!(band > 0.0))
   {
@@ -346,32 +339,18 @@ std::vector<char> cutBridges(const Mesh& mesh,
   double share)
 {
   std::vector<int> outside;
-  std::vector<char> met(region.size(), 0);
-  std::vector<double> thickness;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
+  for (const int v : borderOf(adjacency, region, true))
   {
-    if (isSeed[v])
-    {
-      thickness.push_back(diameter[v]);
-    }
-    if (region[v])
-    {
-      for (const int n : adjacency.vertexVertices[v])
-      {
-        if (!region[n] && !met[n])
-        {
-          met[n] = 1;
-          outside.push_back(n);
-        }
-      }
-    }
+    const Lists::Range around = adjacency.vertexVertices[v];
+    std::copy_if(
+      around.begin(), around.end(), std::back_inserter(outside), [&](int n) { return !region[n]; });
   }
-  if (thickness.empty() || outside.empty())
+  const std::vector<int> seeds = marked(isSeed);
+  if (seeds.empty() || outside.empty())
   {
     return region;
   }
-  std::nth_element(thickness.begin(), thickness.begin() + thickness.size() / 2, thickness.end());
-  const double unit = thickness[thickness.size() / 2];
+  const double unit = medianDiameter(diameter, seeds);
   const std::vector<double> fromOutside = edgeDistances(mesh, adjacency, outside, share * unit);
   std::vector<char> inner(region);
   for (std::size_t v = 0; v < inner.size(); ++v)

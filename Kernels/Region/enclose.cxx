@@ -135,17 +135,13 @@ bool hasNextToIt(const Mesh& mesh,
   {
     for (const int edge : adjacency.triangleEdges[front[i]])
     {
-      for (const int* t = edge < 0 ? nullptr : adjacency.trianglesBegin(edge);
-           t && t != adjacency.trianglesEnd(edge);
-           ++t)
+      for (const int t : edge < 0 ? Lists::Range() : adjacency.trianglesAt(edge))
       {
-        if (reached[*t] == 0)
+        if (reached[t] == 0)
         {
-          const Triangle& c = mesh.triangles[*t];
-          const Vector3& p = mesh.points[c[0]];
-          found += faces[*t] == 2 ? 0.0 : 0.5 * (mesh.points[c[1]] - p).cross(mesh.points[c[2]] - p).norm();
-          reached[*t] = 1;
-          front.push_back(*t);
+          found += faces[t] == 2 ? 0.0 : facetArea(mesh, t);
+          reached[t] = 1;
+          front.push_back(t);
         }
       }
     }

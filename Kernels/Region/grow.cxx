@@ -249,11 +249,10 @@ private:
 std::vector<double> vertexAreas(const Mesh& mesh)
 {
   std::vector<double> areas(mesh.points.size(), 0.0);
-  for (const Triangle& t : mesh.triangles)
+  for (int t = 0; t < mesh.triangleCount(); ++t)
   {
-    const double area =
-      0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
-    for (int v : t)
+    const double area = facetArea(mesh, t);
+    for (int v : mesh.triangles[t])
     {
       areas[v] += area / 3.0;
     }
@@ -428,25 +427,7 @@ constexpr double largestLimb = 0.2;
 // leaves anything of it.
 bool isWithinTwoRings(const Adjacency& adjacency, const MeshParts& parts, int vertex)
 {
-  std::vector<char> near(parts.of.size(), 0);
-  near[vertex] = 1;
-  std::vector<int> ring{ vertex };
-  for (int i = 0; i < 2; ++i)
-  {
-    std::vector<int> next;
-    for (int v : ring)
-    {
-      for (const int n : adjacency.vertexVertices[v])
-      {
-        if (!near[n])
-        {
-          near[n] = 1;
-          next.push_back(n);
-        }
-      }
-    }
-    ring = std::move(next);
-  }
+  const std::vector<char> near = withinRings(adjacency, { vertex }, 2);
   return std::count(near.begin(), near.end(), 1) ==
          std::count(parts.of.begin(), parts.of.end(), parts.of[vertex]);
 }

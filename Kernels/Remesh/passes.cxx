@@ -217,8 +217,7 @@ private:
         vertices.insert(vertices.end(), c.begin(), c.end());
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sortUnique(vertices);
     return vertices;
   }
 

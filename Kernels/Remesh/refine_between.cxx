@@ -89,8 +89,7 @@ std::vector<int> passed(const std::vector<RunOnMesh>& runs)
   {
     found.insert(found.end(), run.triangles.begin(), run.triangles.end());
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   return found;
 }
 

@@ -28,11 +28,6 @@ int supportOf(const Mesh& mesh, const SurfacePoint& at, std::array<int, 3>& vert
   return count;
 }
 
-int cornerOf(const Triangle& t, int vertex)
-{
-  return t[0] == vertex ? 0 : t[1] == vertex ? 1 : t[2] == vertex ? 2 : -1;
-}
-
 // The place as seen from another triangle that holds all its support, or triangle -1.
 SurfacePoint seenFrom(const Mesh& mesh, const SurfacePoint& at, int triangle)
 {
@@ -75,25 +70,17 @@ Surface::Surface(const Mesh& mesh)
 void Surface::listTriangles(const std::vector<char>& active)
 {
   const Mesh& mesh = this->Model;
-  std::vector<int>& offsets = this->VertexTriangles.offsets;
-  offsets.assign(mesh.points.size() + 1, 0);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (int k = 0; active[t] && k < 3; ++k)
+  this->VertexTriangles = Lists::gathered(mesh.points.size(),
+    [&](auto&& visit)
     {
-      ++offsets[mesh.triangles[t][k] + 1];
-    }
-  }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  this->VertexTriangles.values.resize(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (int k = 0; active[t] && k < 3; ++k)
-    {
-      this->VertexTriangles.values[next[mesh.triangles[t][k]]++] = t;
-    }
-  }
+      for (int t = 0; t < mesh.triangleCount(); ++t)
+      {
+        for (int k = 0; active[t] && k < 3; ++k)
+        {
+          visit(mesh.triangles[t][k], t);
+        }
+      }
+    });
 }
 
 // As linkHalfEdges finds it, where all triangles are active; -1 where there is none.

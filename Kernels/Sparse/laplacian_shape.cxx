@@ -308,8 +308,7 @@ BlockMatrix normalMatrixOf(const LaplacianRows& laplacian,
 // The matrix with zero blocks at these columns and rows, too.
 BlockMatrix extended(const BlockMatrix& matrix, std::vector<std::pair<int, int>> places)
 {
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sortUnique(places);
   const std::size_t entries = static_cast<std::size_t>(matrix.block) * matrix.block;
   BlockMatrix result;
   result.block = matrix.block;

@@ -317,15 +317,7 @@ std::vector<int> CrossedFaces::touching(int curve, double widening, const Contex
       }
     });
   context.checkpoint(0.0);
-  std::vector<int> faces;
-  for (int f = 0; f < count; ++f)
-  {
-    if (touched[f])
-    {
-      faces.push_back(f);
-    }
-  }
-  return faces;
+  return marked(touched);
 }
 
 void CrossedFaces::follow(const std::vector<Forest::Birth>& births)

@@ -161,8 +161,7 @@ public:
     {
       this->Born.insert(this->Born.end(), { birth.parent, birth.child });
     }
-    std::sort(this->Born.begin(), this->Born.end());
-    this->Born.erase(std::unique(this->Born.begin(), this->Born.end()), this->Born.end());
+    sortUnique(this->Born);
   }
 
 private:
@@ -471,8 +470,7 @@ Forest refineToSource(const Forest& forest,
     {
       faces.insert(faces.end(), { birth.parent, birth.child });
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sortUnique(faces);
   }
   return canonical(work, context).forest;
 }

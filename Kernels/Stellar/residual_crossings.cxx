@@ -247,8 +247,7 @@ void Snapper::findIn(const std::vector<Forest::Birth>& births)
     faces.push_back(birth.child);
     vertices.push_back(birth.vertex);
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sortUnique(faces);
   std::sort(vertices.begin(), vertices.end());
   const auto isNew = [&](int v) { return std::binary_search(vertices.begin(), vertices.end(), v); };
   Scan all, fresh;

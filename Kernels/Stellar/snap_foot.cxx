@@ -98,8 +98,7 @@ private:
         this->Inside.push_back(reached.vertex);
       }
     }
-    std::sort(this->Inside.begin(), this->Inside.end());
-    this->Inside.erase(std::unique(this->Inside.begin(), this->Inside.end()), this->Inside.end());
+    sortUnique(this->Inside);
   }
 
   Share shareAt(const Vector3& place) const

@@ -127,17 +127,4 @@ bool stillNeeded(const Forest& before,
   return same;
 }
 
-std::vector<int> marked(const std::vector<char>& marks)
-{
-  std::vector<int> all;
-  for (std::size_t i = 0; i < marks.size(); ++i)
-  {
-    if (marks[i])
-    {
-      all.push_back(static_cast<int>(i));
-    }
-  }
-  return all;
-}
-
 } // namespace oversketch

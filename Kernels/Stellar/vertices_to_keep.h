@@ -53,8 +53,5 @@ bool stillNeeded(const Forest& before,
   const ReachOptions& options,
   const Context& context);
 
-// Which are marked, ascending.
-std::vector<int> marked(const std::vector<char>& marks);
-
 } // namespace oversketch
 #endif
