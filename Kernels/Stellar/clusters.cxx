@@ -150,7 +150,7 @@ private:
     for (int f : this->Around[w])
     {
       const Triangle& t = this->Result.original.faces[f];
-      const std::ptrdiff_t i = std::find(t.begin(), t.end(), w) - t.begin();
+      const int i = cornerOf(t, w);
       steps.push_back({ t[(i + 1) % 3], t[(i + 2) % 3], f });
     }
     Ring ring;
@@ -184,11 +184,7 @@ private:
   {
     return std::any_of(this->Around[a].begin(),
       this->Around[a].end(),
-      [&](int f)
-      {
-        const Triangle& t = this->Result.original.faces[f];
-        return std::find(t.begin(), t.end(), b) != t.end();
-      });
+      [&](int f) { return cornerOf(this->Result.original.faces[f], b) >= 0; });
   }
 
   // Whether no new face turns away from an old one.

@@ -26,9 +26,7 @@ struct Corners
   double longest = 0.0, area2 = 0.0;
 
   Corners(const Forest& forest, int f)
-    : Corners(forest.vertices[forest.faces[f].v[0]].position,
-        forest.vertices[forest.faces[f].v[1]].position,
-        forest.vertices[forest.faces[f].v[2]].position)
+    : Corners(forest.cornerOf(f, 0), forest.cornerOf(f, 1), forest.cornerOf(f, 2))
   {
   }
   Corners(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -309,10 +307,11 @@ std::vector<int> CrossedFaces::touching(int curve, double widening, const Contex
         {
           continue;
         }
-        const int* v = this->Mesh.faces[f].v;
-        const Vector3 &a = this->Mesh.vertices[v[0]].position, &b = this->Mesh.vertices[v[1]].position,
-                      &c = this->Mesh.vertices[v[2]].position;
-        const std::optional<double> gap = gapNear(this->Search.box(curve), widening, a, b, c);
+        const std::optional<double> gap = gapNear(this->Search.box(curve),
+          widening,
+          this->Mesh.cornerOf(f, 0),
+          this->Mesh.cornerOf(f, 1),
+          this->Mesh.cornerOf(f, 2));
         touched[f] = gap && this->passes(f, curve, *gap);
       }
     });

@@ -190,12 +190,7 @@ void checkManifold(const Mesh& mesh, const Adjacency& adjacency)
     }
     else if (edge.triangleCount == 2)
     {
-      const auto forward = [&](int t)
-      {
-        const Triangle& c = mesh.triangles[t];
-        return (c[0] == edge.v0 && c[1] == edge.v1) || (c[1] == edge.v0 && c[2] == edge.v1) ||
-               (c[2] == edge.v0 && c[0] == edge.v1);
-      };
+      const auto forward = [&](int t) { return runsAlong(mesh.triangles[t], edge.v0, edge.v1); };
       const int* around = adjacency.trianglesBegin(e);
       if (forward(around[0]) == forward(around[1]))
       {

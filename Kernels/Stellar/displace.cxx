@@ -238,9 +238,7 @@ struct Near
 
 Near nearIn(const Forest& forest, int f, const Vector3& at)
 {
-  const int* v = forest.faces[f].v;
-  const Vector3 &a = forest.vertices[v[0]].position, &b = forest.vertices[v[1]].position,
-                &c = forest.vertices[v[2]].position;
+  const Vector3 &a = forest.cornerOf(f, 0), &b = forest.cornerOf(f, 1), &c = forest.cornerOf(f, 2);
   const auto [wa, wb, wc] = closestWeights(a, b, c, at);
   const Vector3 w(wa, wb, wc);
   return { f, w, (w[0] * a + w[1] * b + w[2] * c - at).norm() };

@@ -187,6 +187,16 @@ public:
   // A vertex for a source: in the lowest root that it touches.
   SourcePlace place(int v) const;
 
+  // The face of a star that a place is over, or is the least beside, and the weights of its corners there;
+  // face -1 where none has area.
+  struct FacePlace
+  {
+    int face = -1;
+    Vector3 weights = Vector3::Zero();
+  };
+  FacePlace inStar(int v, const Vector3& place) const;
+
+  const Vector3& cornerOf(int f, int i) const { return this->vertices[this->faces[f].v[i]].position; }
   Vector3 facetNormal(int f) const; // unit, zero for a face without area
   // Unit normal of a star, each face weighted by its angle at the vertex; zero for a star without area.
   Vector3 vertexNormal(int v) const;

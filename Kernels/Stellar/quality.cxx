@@ -97,10 +97,8 @@ double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& birth
     {
       if (forest.isFace(f))
       {
-        const int* v = forest.faces[f].v;
-        least = std::min(least,
-          narrowness(
-            forest.vertices[v[0]].position, forest.vertices[v[1]].position, forest.vertices[v[2]].position));
+        least =
+          std::min(least, narrowness(forest.cornerOf(f, 0), forest.cornerOf(f, 1), forest.cornerOf(f, 2)));
       }
     }
   }

@@ -84,14 +84,7 @@ void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& op
   {
     throw Error(Failure::BadMesh, "The {tolerance} must be zero or a positive number.");
   }
-  for (const FeatureCurve& c : curves)
-  {
-    const double radius = c.radius.value_or(options.radius);
-    if (!(radius > 0.0 && std::isfinite(radius)))
-    {
-      throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
-    }
-  }
+  checkRadius(curves, options.radius);
 }
 
 } // namespace

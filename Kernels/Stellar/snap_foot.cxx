@@ -294,12 +294,7 @@ FootReport snapFoot(Forest& forest,
   {
     return {};
   }
-  const bool own =
-    std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
-  if (!own && !(options.radius > 0.0 && std::isfinite(options.radius)))
-  {
-    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
-  }
+  checkRadius(curves, options.radius);
   if (!(options.sharpness >= 0.0 && options.minimumAngle >= 0.0 && options.minimumAngle <= 60.0))
   {
     throw Error(Failure::BadStroke,
