@@ -298,18 +298,19 @@ std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const 
   return normals;
 }
 
-double boundingDiagonal(const Mesh& mesh)
+Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points)
 {
-  if (mesh.points.empty())
-  {
-    return 0.0;
-  }
   Eigen::AlignedBox3d box;
-  for (const Vector3& p : mesh.points)
+  for (const Vector3& p : points)
   {
     box.extend(p);
   }
-  return box.diagonal().norm();
+  return box;
+}
+
+double boundingDiagonal(const Mesh& mesh)
+{
+  return mesh.points.empty() ? 0.0 : boxRound(mesh.points).diagonal().norm();
 }
 
 std::vector<double> edgeDistances(const Mesh& mesh,

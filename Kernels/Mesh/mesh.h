@@ -77,6 +77,18 @@ struct Lists
 // The places that are marked, ascending.
 std::vector<int> marked(const std::vector<char>& marks);
 
+// The values at some places; empty stays empty.
+template <typename Value>
+std::vector<Value> valuesAt(const std::vector<Value>& values, const std::vector<int>& places)
+{
+  std::vector<Value> result(values.empty() ? 0 : places.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = values[places[i]];
+  }
+  return result;
+}
+
 // Sorts values and leaves each once.
 template <typename Value>
 void sortUnique(std::vector<Value>& values)
@@ -137,7 +149,8 @@ Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 Vector3 facetNormal(const Mesh& mesh, int triangle);
 double facetArea(const Mesh& mesh, int triangle);
 
-double boundingDiagonal(const Mesh& mesh);
+Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points);
+double boundingDiagonal(const Mesh& mesh); // of that box; 0 without points
 
 // Length of the shortest edge path from the nearest source [model length], infinity beyond limit.
 std::vector<double> edgeDistances(const Mesh& mesh,

@@ -190,13 +190,8 @@ RayFrame::RayFrame(const Mesh& mesh)
   {
     return;
   }
-  Vector3 low = mesh.points[0];
-  Vector3 high = mesh.points[0];
-  for (const Vector3& p : mesh.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const Eigen::AlignedBox3d box = boxRound(mesh.points);
+  const Vector3 &low = box.min(), &high = box.max();
   const double half = (0.5 * high - 0.5 * low).maxCoeff();
   if (half > 0.0)
   {

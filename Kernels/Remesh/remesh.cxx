@@ -308,8 +308,8 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
 {
   const std::vector<char> active = regionTriangles(input.mesh, input.region);
   const Cutout cutout(input.mesh, active);
-  const std::vector<int> charts = Cutout::taken(input.charts, cutout.triangles);
-  const std::vector<double> targets = Cutout::taken(input.targets, cutout.vertices);
+  const std::vector<int> charts = valuesAt(input.charts, cutout.triangles);
+  const std::vector<double> targets = valuesAt(input.targets, cutout.vertices);
   const Surface surface(cutout.mesh, cutout.active, charts);
   std::vector<int> vertices;
   std::vector<std::array<int, 2>> edges;

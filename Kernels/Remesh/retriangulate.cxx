@@ -170,9 +170,8 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
 {
   requireMeanEdge(input);
   const Cutout cutout(input.rest, facesInside(input));
-  requireBounded({ Cutout::taken(input.moved, cutout.vertices), cutout.mesh.triangles },
-    cutout.active,
-    sizesIn(cutout, input));
+  requireBounded(
+    { valuesAt(input.moved, cutout.vertices), cutout.mesh.triangles }, cutout.active, sizesIn(cutout, input));
   const std::vector<int> oneChart;
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);

@@ -20,7 +20,7 @@ constexpr double flattest = 1e-6;
 std::vector<double> sizesIn(const Cutout& cutout, const RetriangulateInput& input)
 {
   return input.sizes.empty() ? std::vector<double>(cutout.vertices.size(), input.meanEdge)
-                             : Cutout::taken(input.sizes, cutout.vertices);
+                             : valuesAt(input.sizes, cutout.vertices);
 }
 
 Splitting::Splitting(const RetriangulateInput& input,
@@ -38,7 +38,7 @@ Splitting::Splitting(const RetriangulateInput& input,
   , Touched(cutout.active.size(), 0)
   , IsSplit(cutout.active.size(), 0)
 {
-  this->Area.moveTo(Cutout::taken(input.moved, cutout.vertices));
+  this->Area.moveTo(valuesAt(input.moved, cutout.vertices));
   this->Taken.reserve(4 * cutout.vertices.size());
   for (int v = 0; v < this->Area.vertexCount(); ++v)
   {

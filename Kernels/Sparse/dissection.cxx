@@ -98,13 +98,9 @@ Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions
   , Pattern(pattern)
   , Label(positions.size(), -1)
 {
-  Vector3 low = Vector3::Constant(INFINITY), high = -low;
-  for (const Vector3& p : positions)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = positions.empty() ? 0.0 : (high - low).maxCoeff();
+  const Eigen::AlignedBox3d box = boxRound(positions);
+  const Vector3& low = box.min();
+  const double extent = positions.empty() ? 0.0 : (box.max() - low).maxCoeff();
   const double scale = extent > 0.0 ? 1.0 / extent : 0.0;
   for (int v = 0; v < static_cast<int>(positions.size()); ++v)
   {

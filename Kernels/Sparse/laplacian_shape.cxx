@@ -357,13 +357,12 @@ LaplacianShape::LaplacianShape(const Mesh& mesh,
   std::vector<char> hasRow = movable;
   for (const int v : this->vertices)
   {
-    for (const int* n = adjacency.vertexVertices.begin(v); borderRows && n != adjacency.vertexVertices.end(v);
-         ++n)
+    for (const int n : borderRows ? adjacency.vertexVertices[v] : Lists::Range())
     {
-      if (!hasRow[*n])
+      if (!hasRow[n])
       {
-        hasRow[*n] = 1;
-        rows.push_back(*n);
+        hasRow[n] = 1;
+        rows.push_back(n);
       }
     }
   }

@@ -4,7 +4,6 @@
 #include "Stellar/quality.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace oversketch
 {
