@@ -1,4 +1,4 @@
-// What dragging an axis of a handle does, and what is done to handles along a curve, written as text.
+// Operations on handles along a curve: drags of a handle's axes, and operations written as text.
 #ifndef oversketch_kernels_matrix_operations_h
 #define oversketch_kernels_matrix_operations_h
 

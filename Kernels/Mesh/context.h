@@ -1,5 +1,5 @@
-// What a running kernel needs from its caller: threads, a progress sink, a way to be cancelled; and how
-// it reports that it could not do its work.
+// The caller of a running kernel: threads, a progress sink, a way to be cancelled; errors that say why it
+// could not do its work; and back ends.
 #ifndef oversketch_kernels_mesh_context_h
 #define oversketch_kernels_mesh_context_h
 
@@ -119,7 +119,7 @@ enum class Backend : int
   Host = 2
 };
 
-// What is warned of where there is none.
+// The warning where there is none.
 constexpr const char* noDeviceText = "There is no OpenCL device; the host computes instead.";
 
 } // namespace oversketch

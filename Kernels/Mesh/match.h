@@ -1,4 +1,5 @@
-// What a mesh has of another one that it has come of by changes here and there. Not installed.
+// Triangles and normals that a mesh has of another one, which it has come of by changes here and there. Not
+// installed.
 #ifndef oversketch_kernels_mesh_match_h
 #define oversketch_kernels_mesh_match_h
 
@@ -15,8 +16,8 @@ namespace oversketch
 // eighth of either has no match.
 bool matchTriangles(const Mesh& before, const Mesh& now, std::vector<int>& numbers, std::vector<int>& others);
 
-// What vertexNormals has for the mesh now, bit for bit, from those of the mesh before: computed anew where
-// triangles have changed alone. around: see trianglesAround. False where matchTriangles says so.
+// Finds what vertexNormals has for the mesh now, bit for bit, from those of the mesh before: computed anew
+// where triangles have changed alone. around: see trianglesAround. False where matchTriangles says so.
 bool normalsAfter(const Mesh& before,
   const std::vector<Vector3>& normals,
   const Mesh& now,

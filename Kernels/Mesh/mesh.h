@@ -142,7 +142,7 @@ Adjacency buildAdjacency(const Mesh& mesh, const Context& context);
 // a triangle of positive area. `around`: see trianglesAround.
 std::vector<Vector3> vertexNormals(const Mesh& mesh);
 std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context);
-// That of one vertex.
+// The normal of one vertex.
 Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 
 // Unit facet normal, zero for a degenerate triangle.

@@ -61,7 +61,7 @@ inline Vector3 positionOf(const Mesh& mesh, const SurfacePoint& at)
 // Points and their weights, which add up to 1.
 using Mix = std::vector<std::pair<int, double>>;
 
-// The same mix with its points ascending and each of them once; none whose weight is rounding (below 1e-12).
+// A mix with its points ascending and each of them once; none whose weight is rounding (below 1e-12).
 Mix normalisedMix(Mix mix);
 
 // Whether two normalised mixes are the same place: weights to within 1e-9.

@@ -45,7 +45,7 @@ Mesh changedFacets(const Mesh& before, const Mesh& now, const MeshMatch& match)
   return changed;
 }
 
-// What takes over values of the mesh before.
+// Takes over values of the mesh before.
 class Successor
 {
 public:
@@ -139,7 +139,7 @@ private:
     vertices.resize(count);
   }
 
-  // Of the dropped vertices takes back those no ray of which leaves through a changed facet within its
+  // Takes back dropped vertices no ray of which leaves through a changed facet within its
   // length.
   void dropRays(Mesh mesh,
     const std::vector<int>& vertices,
@@ -200,7 +200,7 @@ private:
     this->Caller.checkpoint(0.0);
   }
 
-  // What the lengths before and the hits on changed facets within them tell of the rays of dropped vertices.
+  // Adds what the lengths before and the hits on changed facets tell of the rays of dropped vertices.
   void addBounds(const int* vertices, int count, const std::vector<RayHit>& hits, TakenOver& taken) const
   {
     constexpr float below = 0.9999f, above = 1.0001f; // far more than rounding

@@ -1,4 +1,5 @@
-// What two meshes have in common, bit for bit and whatever the numbers of vertices and facets.
+// Vertices and facets that two meshes have in common, bit for bit and whatever the numbers of vertices and
+// facets.
 #ifndef oversketch_kernels_ray_mesh_match_h
 #define oversketch_kernels_ray_mesh_match_h
 

@@ -15,7 +15,7 @@ template <typename... Arguments>
   throw Error(Failure::BadStroke, text, arguments...);
 }
 
-// What is under a place of the stroke.
+// A place of the stroke, and what is under it.
 struct Seen
 {
   Vector2 display;

@@ -59,7 +59,7 @@ struct SilhouetteChain
 // How a sketch in its plane comes to the surface. n is the mean of the silhouette's normals at both ends.
 enum class SketchProjection
 {
-  Ray = 0,  // first hit against n; else along n; else the nearest place (as published)
+  Ray = 0,  // first hit against n; else along n; else the nearest place
   Line = 1, // the hit of the line along n, both ways, that is nearest to the one before
   Path = 2  // the silhouette between the ends, by shares of length
 };
@@ -77,8 +77,8 @@ struct SilhouetteSketch
 {
   SurfaceCurve curve; // open, one sample for each of the stroke
   std::vector<Vector3> sketch;
-  // Of a dent, how far from the curve the surface hides it along the lines of sight: from there on nothing of
-  // it need move; 0 of a bump [model length].
+  // How far, of a dent, from the curve the surface hides it along the lines of sight: from there on nothing
+  // of it need move; 0 of a bump [model length].
   double hidden = 0.0;
 };
 

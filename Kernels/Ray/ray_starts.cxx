@@ -23,7 +23,7 @@ constexpr float widest = 1.55f; // radians; from a right angle on, a cone is non
 constexpr float sceneDiagonal = 3.5f;
 constexpr float grazing = 1e-3f;
 
-// What a set of facets is to the search: where it lies and which way its facets face.
+// A set of facets as the search sees it: where it lies and which way its facets face.
 struct Cluster
 {
   Vector3f low = Vector3f::Constant(huge), high = Vector3f::Constant(-huge);
@@ -61,8 +61,8 @@ struct Cones
   Vector3f centre, half; // of the box of the vertices
   Vector3f normal;       // the mean
   float radius;          // of the sphere round the box
-  // Of the angle from the mean normal to the outermost ray, and of the angle that a facet's normal may be
-  // away from it so that no ray leaves through the facet.
+  // Functions of the angle from the mean normal to the outermost ray, and of the angle that a facet's normal
+  // may be away from it so that no ray leaves through the facet.
   float openingCosine, openingSine, limitCosine, limitSine;
 
   Cones(const Vector3f& low, const Vector3f& high, const Vector3f& n, float opening)

@@ -270,7 +270,7 @@ public:
   }
 
 private:
-  // What is known of the rays of a batch, where something is.
+  // Adds what is known of the rays of a batch, where something is.
   void addBounds(RayBatch& batch) const
   {
     if (this->Known.bounds.empty())

@@ -121,7 +121,8 @@ struct FacetNumbers
   }
 };
 
-// What the callbacks read and write for the line in flight. Embree hands it back as the context that it is.
+// State that the callbacks read and write for the line in flight. Embree hands it back as the context that it
+// is.
 struct LineQuery : embree::Context
 {
   FacetNumbers of;
@@ -216,14 +217,14 @@ bool keepsBuilding(void* context, double)
 class FacetTree
 {
 public:
-  // Of all facets.
+  // Takes all facets.
   FacetTree(const SceneFacets& facets, const Context& context)
     : Facets(facets)
     , Device(embree::startDevice())
   {
     this->build({ &this->Facets, nullptr }, this->Facets.mesh->triangles.size(), context);
   }
-  // Of some, by a device that there is.
+  // Takes some, by a device that there is.
   FacetTree(const SceneFacets& facets,
     std::vector<int> chosen,
     const FacetTree& other,
@@ -496,7 +497,7 @@ struct KnownRays
   std::mutex mutex;
   std::vector<std::weak_ptr<const SurfaceRays>> all; // the latest last
 
-  // Those that somebody holds, the latest first.
+  // Rays that somebody holds, the latest first.
   std::vector<std::shared_ptr<const SurfaceRays>> held()
   {
     const std::lock_guard<std::mutex> lock(this->mutex);

@@ -41,9 +41,9 @@ public:
   // Takes some 0.3 s and 50 MiB a million triangles. A facet with a point that is not finite is not seen.
   // Throws Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
   explicit SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context = Context());
-  // The same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a mesh
-  // that comes of theirs by changes here and there; no tree of all of it is built. Null where too much is
-  // different.
+  // Gives the same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a
+  // mesh that comes of theirs by changes here and there; no tree of all of it is built. Null where too much
+  // is different.
   static std::unique_ptr<const SurfaceRays> after(const SurfaceRays& before,
     std::shared_ptr<const Mesh> mesh,
     const Context& context = Context());

@@ -81,7 +81,7 @@ std::vector<char> smoothBorder(const Adjacency& adjacency,
     allowed = withinRings(adjacency, border, rings - 1);
   }
   const auto mayFlip = [&](int v) { return allowed[v] && flips[v] < maximumFlips; };
-  // What the vertex is, and the one outside neighbour of a concave one.
+  // The kind of a vertex, and the one outside neighbour of a concave one.
   const auto classify = [&](int v) -> std::pair<Kind, int>
   {
     if (!result[v])

@@ -23,7 +23,7 @@ enum Role : char
   Band
 };
 
-// What the cut knows of each triangle.
+// A triangle as the cut sees it.
 struct Facet
 {
   char selected; // corners in the region

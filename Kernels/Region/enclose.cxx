@@ -157,7 +157,7 @@ void requireRoomOutside(const Mesh& mesh,
 {
   const std::vector<double> areas = vertexAreas(inside);
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  // Of a small region that is seen without a look at the whole mesh.
+  // A small region shows it without a look at the whole mesh.
   if (area > 0.0 && std::isfinite(area) &&
       hasNextToIt(mesh, adjacency, faces, seed, 1.01 * area * (1.0 - largestShare) / largestShare))
   {

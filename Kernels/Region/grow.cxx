@@ -420,7 +420,7 @@ std::vector<int> expandSeeds(const Mesh& mesh,
   return expanded;
 }
 
-// Of the area of a model; what is larger is its body, or a good part of it.
+// Share of a model's area; what is larger is its body, or a good part of it.
 constexpr double largestLimb = 0.2;
 
 // Whether all of the part that a vertex is of lies within two rings round it: then no stroke, however short,

@@ -101,7 +101,7 @@ int splitAll(Patch& patch, double longest, Steps& steps)
   return made;
 }
 
-// Of the two ends the one that must stay stays; else the one with the lower id, the older.
+// An end that must stay stays; else the one with the lower id, the older.
 int collapseAll(Patch& patch, double shortest, double longest, Steps& steps)
 {
   int made = 0;

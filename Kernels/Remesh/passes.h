@@ -86,7 +86,7 @@ int flipByAngle(Patch& patch, std::vector<int>& queue, const Allowed& allowed, c
   }
   return made;
 }
-// Of all edges.
+// Begins with all edges.
 int flipByAngle(Patch& patch, Steps& steps);
 
 // Moves vertices at folded edges (normals over 100 degrees apart) towards the mean of their neighbours where

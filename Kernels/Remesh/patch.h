@@ -136,7 +136,7 @@ public:
   // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
   // halves). neighbours: vertices it is joined to, -1 fill.
   int split(int h, std::array<int, 4>& neighbours);
-  // The same without a question, of an edge between two triangles with other corners each: puts the vertex at
+  // Splits without a question an edge between two triangles with other corners each: puts the vertex at
   // this place of the surface, and to this position, which need not be on it.
   int halve(int h, const SurfacePoint& place, const Vector3& position, std::array<int, 4>& neighbours);
   // Whether that leaves more folded edges than there are.
@@ -208,7 +208,7 @@ private:
   std::vector<int> Twin; // as Surface::twins()
   std::vector<char> Kept;
   std::vector<std::array<int, 3>> KeptSplits;
-  // Of a collapse in progress, kept for their memory.
+  // State of a collapse in progress, kept for its memory.
   std::vector<int> Spokes, Ring;
   std::vector<Vector3> Before, After;
 };

@@ -51,7 +51,7 @@ void requireMeanEdge(const RetriangulateInput& input)
   }
 }
 
-// What a stretched region would take to be covered, before it is tried: there would be no end of it.
+// Refuses what a stretched region would take to be covered, before it is tried: there would be no end of it.
 void requireBounded(const Mesh& moved, const std::vector<char>& active, const std::vector<double>& sizes)
 {
   double before = 0.0, wanted = 0.0;

@@ -69,7 +69,7 @@ struct Retriangulated
 // Error(Failure::Cancelled).
 Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const Context& context);
 
-// What replaces it, with the mean edge that is to be there: a rule of curvature finds it in the noise of an
+// Replaces that rule, with the mean edge that is to be there: a rule of curvature finds it in the noise of an
 // unchanged region too, and puts new vertices onto the facets of a surface that was stretched. Here edges are
 // split before the edit, so that the edit moves their halves to where they belong: in up to six rounds each
 // edge that it makes longer than 4/3 mean edges and than it was, or that is over 0.35 mean edges long and

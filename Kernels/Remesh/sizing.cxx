@@ -283,7 +283,7 @@ std::vector<double> targetLengths(const Mesh& whole,
   const std::vector<ActiveEdge> edges = activeEdges(part);
   const auto valueOf = [](const std::vector<double>& values, int v)
   { return !values.empty() && std::isfinite(values[v]) && values[v] > 0.0 ? values[v] : infinite; };
-  // Of vertex v of the whole mesh, where the limit by diameter may ask for `lowest` at least.
+  // Length for vertex v of the whole mesh, where the limit by diameter may ask for `lowest` at least.
   const auto wanted = [&](int v, double lowest) {
     return std::min({ sizing.length, std::max(0.5 * valueOf(diameters, v), lowest), valueOf(fitting, v) });
   };
@@ -428,7 +428,7 @@ TriangleLimit limitTriangles(const Mesh& mesh, const std::vector<char>& active, 
   {
     return limitOf(0.0, std::max(present, wanted));
   }
-  // Of the longest edge each has one part then.
+  // Each has one part of its longest edge then.
   double tooLow = 0.0, enough = 0.0;
   for (const Asking& one : asking)
   {

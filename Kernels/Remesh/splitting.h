@@ -70,7 +70,7 @@ private:
   // Wishes of the edges that are new. Threaded, by blocks, so that the movement sees the same ones together.
   void lookAtEdges(const Context& context);
 
-  // Those of the edges that the edit stretches or bends.
+  // Chooses edges that the edit stretches or bends.
   void choose(const int* begin, const int* end, std::vector<Wish>& chosen) const;
 
   // The middle may lie on the line of another edge: a half of the face would have no area.

@@ -376,7 +376,7 @@ LaplacianShape::LaplacianShape(const Mesh& mesh,
 
 BlockMatrix LaplacianShape::normalMatrix(const std::vector<Binding>& handles, double handleWeight) const
 {
-  // Of each two unknowns that one handle hangs on: column, row and weight.
+  // Two unknowns that one handle hangs on: column, row and weight.
   struct Link
   {
     int column, row;

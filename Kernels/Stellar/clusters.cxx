@@ -364,7 +364,8 @@ private:
     }
     const std::vector<int>& v = ring.link;
     const std::vector<std::pair<int, Vector2>> flat = this->flatStar(w, ring);
-    // What may come in its place; a new edge must not be there already, nor the one face of a tetrahedron.
+    // Faces that may come in its place; a new edge must not be there already, nor the one face of a
+    // tetrahedron.
     std::vector<std::vector<Triangle>> choices;
     const auto offer = [&](int a, int b, const std::vector<Triangle>& made)
     {

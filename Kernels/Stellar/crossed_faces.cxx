@@ -15,7 +15,7 @@ namespace oversketch
 namespace
 {
 
-// What a curve passes exactly along is touched by both sides.
+// An edge that a curve passes exactly along is touched by both sides.
 constexpr double touching = 1e-9;
 constexpr int facesPerCheck = 1024; // between two looks at whether to stop
 
@@ -43,7 +43,7 @@ struct Corners
     }
   }
 
-  // Of what lies above and below the face, as far as the gap.
+  // The box round what lies above and below the face, as far as the gap.
   Eigen::AlignedBox3d box(double gap) const
   {
     Eigen::AlignedBox3d b(this->p);
@@ -161,7 +161,7 @@ std::vector<int> partsOf(const Forest& forest, const std::vector<int>& touched)
   return part;
 }
 
-// Of the faces that a curve touches, those that hang together with one that is the nearest to a sample.
+// Faces that a curve touches and that hang together with one that is the nearest to a sample.
 // `at`: where a vertex is.
 template <class At>
 std::vector<int> joined(const Forest& forest,

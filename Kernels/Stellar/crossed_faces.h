@@ -55,7 +55,7 @@ inline Vector3 putBack(const Forest& forest, int v)
 // half its longest edge.
 bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vector3& b, const Vector3& c);
 
-// What CrossedFaces::faces are of a forest whose vertices are put back, of which all touched faces are known.
+// Finds CrossedFaces::faces of a forest whose vertices are put back, of which all touched faces are known.
 std::vector<int> passedPutBack(const Forest& forest,
   const CurveSearch& search,
   int curve,

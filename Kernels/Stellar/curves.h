@@ -65,7 +65,7 @@ void checkCurves(const FeatureCurves& curves);
 // Throws Error(BadStroke) where the radius of curves without their own is not positive.
 void checkRadius(const FeatureCurves& curves, double radius);
 
-// What CurveDigest holds: a hash of the points of all curves.
+// A hash of the points of all curves, for CurveDigest.
 std::uint64_t digest(const FeatureCurves& curves);
 
 struct NearestOnCurve

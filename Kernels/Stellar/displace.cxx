@@ -14,7 +14,7 @@ namespace oversketch
 namespace
 {
 
-// What curves make of a vertex.
+// A vertex and what curves make of it.
 struct Rise
 {
   int vertex;
@@ -96,7 +96,7 @@ void checkSketch(const FeatureCurves& curves, const std::vector<std::vector<Vect
   }
 }
 
-// What all curves together make of the vertices that they reach, in the order in which they reach them.
+// Rises that all curves together make, in the order in which they reach the vertices.
 std::vector<Rise> risesOf(const Forest& forest,
   const FeatureCurves& curves,
   const CurvesReached& reached,
@@ -176,7 +176,7 @@ std::vector<int> facesAround(const Forest& forest, const std::vector<int>& verti
   return marked(around);
 }
 
-// What the stroke's vertices knew is of no use to the next one.
+// Forgets what the stroke's vertices knew, which is of no use to the next one.
 void endStroke(Forest& forest, const std::vector<int>& vertices, bool keepBaseNormals)
 {
   for (const int v : vertices)

@@ -28,12 +28,12 @@ bool mayMove(const Forest& forest,
 // goes along that only, and not at all where that turns by over 45 degrees, ends or branches.
 bool keepsToLines(const Forest& forest, int v, int towards, const std::vector<int>& parts);
 
-// Of the faces that splits left in their slots.
+// The narrowest of the faces that splits left in their slots.
 double narrowestOf(const Forest& forest, const std::vector<Forest::Birth>& births);
 // Undoes splits that nothing was split after.
 void weldBack(Forest& forest, const std::vector<Forest::Birth>& births);
 
-// Of the triangles that come nearer to the curves than their radii: how thin they are, and their vertices
+// Triangles that come nearer to the curves than their radii: how thin they are, and their vertices
 // with those of the triangles round them.
 struct CurveNeighbourhood
 {

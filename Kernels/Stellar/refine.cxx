@@ -35,7 +35,7 @@ struct Mark
   std::uint64_t path;
 };
 
-// What one curve asks of the faces near it.
+// A curve's demand of the faces near it.
 struct Demand
 {
   double radius, sharpness, edgeLength;

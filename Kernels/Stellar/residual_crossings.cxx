@@ -191,7 +191,7 @@ void Snapper::weldBack(const std::vector<Forest::Birth>& births)
   }
 }
 
-// The same, unless that makes triangles that are too narrow of such that were wider.
+// Splits, unless that makes triangles that are too narrow of such that were wider.
 void Snapper::splitWithCare(const EdgeCrossing& crossing,
   const MidpointRule& rule,
   std::vector<Forest::Birth>& births)

@@ -41,7 +41,7 @@ double errorOf(const Forest& forest, int w)
   return isFlat ? std::numeric_limits<double>::infinity() : error;
 }
 
-// Of the surface before the last displacement.
+// Marks of what curves need of the surface before the last displacement.
 std::vector<char> neededOf(const Forest& forest,
   const FeatureCurves& curves,
   const SimplifyOptions& options,

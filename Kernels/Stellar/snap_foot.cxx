@@ -23,7 +23,7 @@ constexpr double closeEnough = 1e-13; // and how near to its place a vertex is p
 constexpr double partWays[] = { 0.8, 0.6, 0.4, 0.2 }; // of a way that is not open to its end
 constexpr double farOff = 2.0;                        // and from where on nothing needs to be known
 
-// Of a place: distance / radius of the curve where that is least.
+// Distance / radius of a place from the curve where that is least.
 struct Share
 {
   double value = std::numeric_limits<double>::infinity();
@@ -82,7 +82,7 @@ private:
   }
   const Vector3& at(int v) const { return this->Mesh.vertices[v].position; }
 
-  // What is reached.
+  // Measures what is reached.
   void measure()
   {
     const CrossedFaces crossed(this->Mesh, this->Search, this->Caller);

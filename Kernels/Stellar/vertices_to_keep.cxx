@@ -12,8 +12,8 @@ namespace oversketch
 namespace
 {
 
-// What is snapped to a feature's foot lies at the radius but for rounding, which is of the order of 1e-8
-// where a small model lies millions of units from the origin: it does not rise, and is not within.
+// A vertex that is snapped to a feature's foot lies at the radius but for rounding, which is of the order of
+// 1e-8 where a small model lies millions of units from the origin: it does not rise, and is not within.
 bool isWithin(double distance, double radius)
 {
   constexpr double rounding = 1e-6;

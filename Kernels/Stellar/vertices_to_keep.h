@@ -27,7 +27,7 @@ struct VerticesToKeep
     : why(forest.vertices.size(), 0)
   {
   }
-  // What the next curve needs.
+  // Adds what the next curve needs.
   void add(const Forest& forest,
     int curve,
     double radius,
@@ -35,7 +35,7 @@ struct VerticesToKeep
     const CrossedFaces& crossed);
 };
 
-// Of all curves; `options`: of those without a radius of their own.
+// The needs of all curves; `options`: for those without a radius of their own.
 VerticesToKeep verticesToKeep(const Forest& forest,
   const FeatureCurves& curves,
   const ReachOptions& options,
