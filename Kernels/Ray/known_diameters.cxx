@@ -1,6 +1,6 @@
 #include "Ray/known_diameters.h"
 
-#include "Ray/mesh_match.h"
+#include "Mesh/match.h"
 #include "Ray/ray_starts.h"
 
 #include <iterator>
