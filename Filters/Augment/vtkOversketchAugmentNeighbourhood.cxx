@@ -1,7 +1,7 @@
 // Even triangles for lines that run over long thin ones.
 #include "vtkOversketchAugmentPipeline.h"
 
-#include "Stellar/thin_triangles.h"
+#include "Stellar/quality.h"
 #include "vtkOversketchHierarchy.h"
 #include "vtkOversketchStellarCurves.h"
 

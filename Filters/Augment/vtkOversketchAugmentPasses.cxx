@@ -2,7 +2,7 @@
 #include "vtkOversketchAugmentPipeline.h"
 
 #include "Mesh/nearest.h"
-#include "Mesh/pixel.h"
+#include "Mesh/view.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchStrokeView.h"
 

@@ -1,6 +1,6 @@
 #include "vtkOversketchAugmentPipeline.h"
 
-#include "Stellar/preview.h"
+#include "Stellar/profile.h"
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchCarriedArrays.h"

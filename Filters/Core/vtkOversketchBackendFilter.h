@@ -10,7 +10,7 @@
 #ifndef vtkOversketchBackendFilter_h
 #define vtkOversketchBackendFilter_h
 
-#include "Mesh/backend.h"                // For KernelBackend
+#include "Mesh/context.h"                // For KernelBackend
 #include "OversketchFiltersCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 

@@ -8,7 +8,7 @@
 #include "OversketchFiltersCoreModule.h" // For export macro
 
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"

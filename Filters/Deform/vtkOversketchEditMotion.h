@@ -9,7 +9,7 @@
 
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"
-#include "Remesh/motion.h"
+#include "Remesh/retriangulate.h"
 #include "Section/follow.h"
 #include "Section/profile.h"
 

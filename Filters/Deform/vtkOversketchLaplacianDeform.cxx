@@ -1,6 +1,5 @@
 #include "vtkOversketchLaplacianDeform.h"
 
-#include "Sparse/drag.h"
 #include "Sparse/laplacian.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"

@@ -286,9 +286,7 @@ public:
       const int triangle = *this->Data.Neighbours().vertexTriangles.begin(v);
       const Triangle& corners = this->Data.Surface().triangles[triangle];
       Binding binding{ corners, { 0.0, 0.0, 0.0 } };
-      binding
-        .weights[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), v) - corners.begin())] =
-        1.0;
+      binding.weights[cornerOf(corners, v)] = 1.0;
       this->Insert(this->Data.Surface().points[v], triangle, binding);
     }
   }

@@ -5,7 +5,7 @@
 
 #include "vtkOversketchEdit.h"
 
-#include "Remesh/motion.h"
+#include "Remesh/retriangulate.h"
 #include "vtkOversketchCrossSection.h"
 #include "vtkOversketchDistanceField.h"
 #include "vtkOversketchEditCurves.h"

@@ -1,6 +1,7 @@
 #include "vtkOversketchMixtureRegion.h"
 
-#include "Mixture/device_mixture.h"
+#include "Mixture/mixture.h"
+#include "OpenCL/device.h"
 #include "Region/grow.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
@@ -177,8 +178,7 @@ Section SectionOf(vtkPolyData* handles, const MeshData& mesh, double margin, boo
   section.chord = (farthest(true) - farthest(false)).norm();
   for (std::vector<int>* list : { &section.seeds, &section.ends[0], &section.ends[1] })
   {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
+    sortUnique(*list);
   }
   return section;
 }
@@ -338,8 +338,7 @@ std::vector<int> vtkOversketchMixtureRegion::Cache::PartsWith(const std::vector<
     vertices.end(),
     std::back_inserter(held),
     [&parts](int v) { return parts.of[static_cast<std::size_t>(v)]; });
-  std::sort(held.begin(), held.end());
-  held.erase(std::unique(held.begin(), held.end()), held.end());
+  sortUnique(held);
   return static_cast<int>(held.size()) == parts.count ? std::vector<int>() : held;
 }
 
@@ -421,9 +420,9 @@ double vtkOversketchMixtureRegion::Cache::LongestEdge(const std::vector<int>& se
   double longest = 0.0;
   for (const int seed : seeds)
   {
-    for (const int* n = lists.begin(seed); n != lists.end(seed); ++n)
+    for (const int n : lists[seed])
     {
-      const auto a = static_cast<std::size_t>(*n), b = static_cast<std::size_t>(seed);
+      const auto a = static_cast<std::size_t>(n), b = static_cast<std::size_t>(seed);
       longest = std::max(longest, (points[a] - points[b]).norm());
     }
   }

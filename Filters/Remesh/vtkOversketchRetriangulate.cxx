@@ -1,6 +1,5 @@
 #include "vtkOversketchRetriangulate.h"
 
-#include "Remesh/motion.h"
 #include "Remesh/retriangulate.h"
 #include "vtkOversketchChains.h"
 #include "vtkOversketchEditRegion.h"
@@ -125,9 +124,7 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
                   : motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
     result = retriangulateEdit(
       { before, moved->Surface().points, region, vertices, meanEdge, asFloats, sizesOf(mesh) },
-      motion.movement,
-      motion.values,
-      motion.channels,
+      motion,
       ContextOf(self));
   }
   self->OperationCount = result.splits + result.collapses + result.flips;

@@ -2,10 +2,10 @@
 
 #include "vtkOversketchFilterTools.h"
 
-#include "Stellar/foot.h"
 #include "Stellar/leaves.h"
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
+#include "Stellar/snap_foot.h"
 #include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"

@@ -1,6 +1,6 @@
 #include "vtkOversketchStrokeTools.h"
 
-#include "Ray/room.h"
+#include "Ray/surface_rays.h"
 #include "Stroke/stroke.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"

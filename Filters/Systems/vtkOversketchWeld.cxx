@@ -1,6 +1,6 @@
 #include "vtkOversketchWeld.h"
 
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 #include "Mesh/rotation.h"
 #include "Mesh/weld.h"
 #include "vtkOversketchCarriedArrays.h"

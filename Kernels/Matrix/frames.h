@@ -26,8 +26,8 @@ struct CurveFrame
 class CurveFrames
 {
 public:
-  // Of each point of the curve also the surface's normal there. Throws Error(Failure::BadStroke) for a curve
-  // of fewer than two distinct points or one that is not finite.
+  // Takes each point of the curve and the surface's normal there. Throws Error(Failure::BadStroke) for a
+  // curve of fewer than two distinct points or one that is not finite.
   CurveFrames(const std::vector<Vector3>& points, const std::vector<Vector3>& normals);
 
   // t: share of the curve's length, clamped to [0, 1]. Throw Error(Failure::BadStroke) where the curve turns

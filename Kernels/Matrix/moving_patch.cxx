@@ -29,18 +29,7 @@ public:
       this->Chosen[*begin] = 1;
     }
   }
-  std::vector<int> list() const
-  {
-    std::vector<int> ids;
-    for (std::size_t id = 0; id < this->Chosen.size(); ++id)
-    {
-      if (this->Chosen[id])
-      {
-        ids.push_back(static_cast<int>(id));
-      }
-    }
-    return ids;
-  }
+  std::vector<int> list() const { return marked(this->Chosen); }
 
 private:
   std::vector<char> Chosen;
@@ -79,18 +68,6 @@ std::vector<int> placesIn(const std::vector<int>& list, std::size_t count)
     places[list[i]] = static_cast<int>(i);
   }
   return places;
-}
-
-template <typename Value>
-std::vector<Value> chosen(const std::vector<Value>& values, const std::vector<int>& places)
-{
-  std::vector<Value> result;
-  result.reserve(places.size());
-  for (const int place : places)
-  {
-    result.push_back(values[place]);
-  }
-  return result;
 }
 
 constexpr int faceLanes = 32; // see moved.cxx
@@ -159,7 +136,7 @@ OVERSKETCH_CLONES void measure(FaceBatch& batch)
 // Lists of faces ascend with the mesh's, so that sums over a vertex's faces have the mesh's order.
 MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std::vector<int>& moving)
   : Moving(moving)
-  , Rest(chosen(mesh.points, moving))
+  , Rest(valuesAt(mesh.points, moving))
   , Faces(facesAround(mesh, adjacency, moving))
   , Touched(cornersOf(mesh, this->Faces))
 {
@@ -167,27 +144,27 @@ MovingPatch::MovingPatch(const Mesh& mesh, const Adjacency& adjacency, const std
   const std::vector<int> corners = cornersOf(mesh, near, moving); // with those without faces
   const std::vector<int> vertexPlace = placesIn(corners, mesh.points.size()),
                          facePlace = placesIn(near, mesh.triangles.size());
-  this->Near.points = chosen(mesh.points, corners);
+  this->Near.points = valuesAt(mesh.points, corners);
   for (const int t : near)
   {
     const Triangle& c = mesh.triangles[t];
     this->Near.triangles.push_back({ vertexPlace[c[0]], vertexPlace[c[1]], vertexPlace[c[2]] });
   }
-  this->MovingPlaces = chosen(vertexPlace, moving);
-  this->TouchedPlaces = chosen(vertexPlace, this->Touched);
-  this->FacePlaces = chosen(facePlace, this->Faces);
+  this->MovingPlaces = valuesAt(vertexPlace, moving);
+  this->TouchedPlaces = valuesAt(vertexPlace, this->Touched);
+  this->FacePlaces = valuesAt(facePlace, this->Faces);
 
   const Lists around = trianglesAround(this->Near);
   this->Corners.offsets.push_back(0);
   for (const int v : this->TouchedPlaces)
   {
-    for (const int* t = around.begin(v); t != around.end(v); ++t)
+    for (const int t : around[v])
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (this->Near.triangles[*t][k] == v)
+        if (this->Near.triangles[t][k] == v)
         {
-          this->Corners.values.push_back(3 * *t + k);
+          this->Corners.values.push_back(3 * t + k);
         }
       }
     }
@@ -298,20 +275,16 @@ MovingPatch::Shape MovingPatch::shapeAt(const std::vector<Vector3>& places,
         shape.vertexNormals.emplace_back(this->Touched[i], Vector3::Zero());
       }
     }
-    context.parallelFor(static_cast<int>(shape.vertexNormals.size()),
-      [&](int begin, int end)
+    context.each(static_cast<int>(shape.vertexNormals.size()),
+      [&](int n)
       {
-        for (int n = begin; n < end; ++n)
+        Vector3 sum = Vector3::Zero();
+        for (const int corner : this->Corners[changed[n]])
         {
-          Vector3 sum = Vector3::Zero();
-          for (const int* corner = this->Corners.begin(changed[n]); corner != this->Corners.end(changed[n]);
-               ++corner)
-          {
-            sum += measures.angles[*corner / 3][*corner % 3] * measures.normals[*corner / 3];
-          }
-          const double length = sum.norm();
-          shape.vertexNormals[n].second = length > 0.0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
+          sum += measures.angles[corner / 3][corner % 3] * measures.normals[corner / 3];
         }
+        const double length = sum.norm();
+        shape.vertexNormals[n].second = length > 0.0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
       });
   }
   context.checkpoint(1.0);

@@ -30,7 +30,7 @@ public:
     OfFaces,
     OfBoth
   };
-  // What changes of a mesh when its vertices move: normals by vertex and by face, ascending. They are those
+  // The changes of a mesh when its vertices move: normals by vertex and by face, ascending. They are those
   // of vertexNormals and facetNormal but for rounding; many triangles are measured side by side.
   struct Shape
   {
@@ -41,7 +41,7 @@ public:
   Shape shapeAt(const std::vector<Vector3>& places, Normals normals, const Context& context);
 
 private:
-  // Of each near face its normal and the angles at its corners.
+  // Normals of the near faces, and the angles at their corners.
   struct Measures
   {
     std::vector<Vector3> normals;

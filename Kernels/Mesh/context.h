@@ -1,5 +1,5 @@
-// What a running kernel needs from its caller: threads, a progress sink, a way to be cancelled; and how
-// it reports that it could not do its work.
+// The caller of a running kernel: threads, a progress sink, a way to be cancelled; errors that say why it
+// could not do its work; and back ends.
 #ifndef oversketch_kernels_mesh_context_h
 #define oversketch_kernels_mesh_context_h
 
@@ -66,6 +66,33 @@ struct Context
       body(0, count);
   };
 
+  // Calls body(i) for each i in [0, count) in the same way.
+  template <typename Each>
+  void each(int count, const Each& body) const
+  {
+    this->parallelFor(count,
+      [&body](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          body(i);
+        }
+      });
+  }
+  // Calls body(i) for each i where that takes long: for no more of them once cancelled() is true.
+  template <typename Each>
+  void eachUntilCancelled(int count, const Each& body) const
+  {
+    this->parallelFor(count,
+      [this, &body](int begin, int end)
+      {
+        for (int i = begin; i < end && !this->cancelled(); ++i)
+        {
+          body(i);
+        }
+      });
+  }
+
   // Takes progress in [0, 1]. Called by the kernel's own thread only.
   std::function<void(double)> progress = [](double) {};
 
@@ -82,6 +109,18 @@ struct Context
     }
   }
 };
+
+// Auto and OpenCL mean the OpenCL device; where there is none, or it fails, the host stands in with a
+// warning.
+enum class Backend : int
+{
+  Auto = 0,
+  OpenCL = 1,
+  Host = 2
+};
+
+// The warning where there is none.
+constexpr const char* noDeviceText = "There is no OpenCL device; the host computes instead.";
 
 } // namespace oversketch
 #endif

@@ -2,10 +2,8 @@
 
 #include "Mesh/context.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <queue>
 
 namespace oversketch
@@ -73,16 +71,16 @@ struct Sides
     for (int v = begin; v < end; ++v)
     {
       const std::size_t first = this->all.size();
-      for (const int* t = around.begin(v); t != around.end(v); ++t)
+      for (const int t : around[v])
       {
-        const Triangle& c = mesh.triangles[*t];
+        const Triangle& c = mesh.triangles[t];
         if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0])
         {
           continue;
         }
         const int k = c[0] == v ? 0 : c[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
-        this->add(v, c[k == 2 ? 0 : k + 1], 3 * *t + k);
-        this->add(v, c[before], 3 * *t + before);
+        this->add(v, c[k == 2 ? 0 : k + 1], 3 * t + k);
+        this->add(v, c[before], 3 * t + before);
       }
       sortSides(this->all.data() + first, this->all.data() + this->all.size());
       this->counts.push_back(static_cast<int>(this->all.size() - first));
@@ -149,9 +147,9 @@ template <typename FacetNormal>
 Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetNormal& facet)
 {
   Vector3 sum = Vector3::Zero();
-  for (const int* t = around.begin(vertex); t != around.end(vertex); ++t)
+  for (const int t : around[vertex])
   {
-    const Triangle& c = mesh.triangles[*t];
+    const Triangle& c = mesh.triangles[t];
     for (int k = 0; k < 3; ++k)
     {
       if (c[k] == vertex)
@@ -159,7 +157,7 @@ Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetN
         const Vector3& p = mesh.points[vertex];
         const Vector3 a = mesh.points[c[(k + 1) % 3]] - p;
         const Vector3 b = mesh.points[c[(k + 2) % 3]] - p;
-        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * facet(*t);
+        sum += std::atan2(a.cross(b).norm(), a.dot(b)) * facet(t);
       }
     }
   }
@@ -167,6 +165,19 @@ Vector3 normalAt(const Mesh& mesh, const Lists& around, int vertex, const FacetN
 }
 
 } // namespace
+
+std::vector<int> marked(const std::vector<char>& marks)
+{
+  std::vector<int> all;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    if (marks[i])
+    {
+      all.push_back(static_cast<int>(i));
+    }
+  }
+  return all;
+}
 
 int Adjacency::findEdge(int a, int b) const
 {
@@ -179,8 +190,6 @@ int Adjacency::findEdge(int a, int b) const
 
 Lists trianglesAround(const Mesh& mesh)
 {
-  Lists lists;
-  lists.offsets.assign(mesh.points.size() + 1, 0);
   const auto eachCorner = [&mesh](auto&& visit)
   {
     for (int t = 0; t < mesh.triangleCount(); ++t)
@@ -193,12 +202,7 @@ Lists trianglesAround(const Mesh& mesh)
         visit(v[2], t);
     }
   };
-  eachCorner([&](int v, int) { ++lists.offsets[v + 1]; });
-  std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
-  lists.values.resize(lists.offsets.back());
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  eachCorner([&](int v, int t) { lists.values[next[v]++] = t; });
-  return lists;
+  return Lists::gathered(mesh.points.size(), eachCorner);
 }
 
 Adjacency buildAdjacency(const Mesh& mesh)
@@ -216,14 +220,9 @@ Adjacency buildAdjacency(const Mesh& mesh, const Context& context)
   std::vector<Sides> parts((vertices + Sides::vertices - 1) / Sides::vertices);
   const auto eachPart = [&](auto&& visit)
   {
-    context.parallelFor(static_cast<int>(parts.size()),
-      [&](int begin, int end)
-      {
-        for (int part = begin; part < end; ++part)
-        {
-          visit(part, part * Sides::vertices, std::min((part + 1) * Sides::vertices, vertices));
-        }
-      });
+    context.each(static_cast<int>(parts.size()),
+      [&](int part)
+      { visit(part, part * Sides::vertices, std::min((part + 1) * Sides::vertices, vertices)); });
   };
   eachPart([&](int part, int begin, int end) { parts[part].gather(mesh, around, begin, end); });
   std::vector<int> firstEdge(parts.size() + 1, 0), firstSide(parts.size() + 1, 0); // of a part
@@ -271,6 +270,12 @@ Vector3 facetNormal(const Mesh& mesh, int triangle)
   return unit((mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]));
 }
 
+double facetArea(const Mesh& mesh, int triangle)
+{
+  const Triangle& t = mesh.triangles[triangle];
+  return 0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
+}
+
 Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex)
 {
   return normalAt(mesh, around, vertex, [&mesh](int t) { return facetNormal(mesh, t); });
@@ -284,39 +289,28 @@ std::vector<Vector3> vertexNormals(const Mesh& mesh)
 std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context)
 {
   std::vector<Vector3> facets(mesh.triangles.size()), normals(mesh.points.size());
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.each(mesh.triangleCount(), [&](int t) { facets[t] = facetNormal(mesh, t); });
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int t = begin; t < end; ++t)
-      {
-        facets[t] = facetNormal(mesh, t);
-      }
-    });
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end; ++v)
-      {
-        normals[v] = normalAt(mesh, around, v, [&facets](int t) -> const Vector3& { return facets[t]; });
-      }
+      normals[v] = normalAt(mesh, around, v, [&facets](int t) -> const Vector3& { return facets[t]; });
     });
   return normals;
 }
 
+Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points)
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
 double boundingDiagonal(const Mesh& mesh)
 {
-  if (mesh.points.empty())
-  {
-    return 0.0;
-  }
-  Vector3 low = mesh.points[0];
-  Vector3 high = mesh.points[0];
-  for (const Vector3& p : mesh.points)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  return (high - low).norm();
+  return mesh.points.empty() ? 0.0 : boxRound(mesh.points).diagonal().norm();
 }
 
 std::vector<double> edgeDistances(const Mesh& mesh,
@@ -340,13 +334,13 @@ std::vector<double> edgeDistances(const Mesh& mesh,
     {
       continue;
     }
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      const double through = d + (mesh.points[*n] - mesh.points[v]).norm();
-      if (through <= limit && through < distance[*n])
+      const double through = d + (mesh.points[n] - mesh.points[v]).norm();
+      if (through <= limit && through < distance[n])
       {
-        distance[*n] = through;
-        queue.push({ through, *n });
+        distance[n] = through;
+        queue.push({ through, n });
       }
     }
   }

@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace oversketch
@@ -18,6 +20,18 @@ struct Context;
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Triangle = std::array<int, 3>;
+
+// The corner that a vertex is of a triangle, or -1.
+inline int cornerOf(const Triangle& t, int vertex)
+{
+  return t[0] == vertex ? 0 : t[1] == vertex ? 1 : t[2] == vertex ? 2 : -1;
+}
+
+// Whether a triangle has the edge in the direction from a to b.
+inline bool runsAlong(const Triangle& t, int a, int b)
+{
+  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
+}
 
 struct Mesh
 {
@@ -35,7 +49,53 @@ struct Lists
   const int* begin(int i) const { return this->values.data() + this->offsets[i]; }
   const int* end(int i) const { return this->values.data() + this->offsets[i + 1]; }
   int size(int i) const { return this->offsets[i + 1] - this->offsets[i]; }
+
+  // A list to be walked over.
+  struct Range
+  {
+    const int *first = nullptr, *last = nullptr;
+    const int* begin() const { return this->first; }
+    const int* end() const { return this->last; }
+  };
+  Range operator[](int i) const { return { this->begin(i), this->end(i) }; }
+
+  // So many lists: each(visit) calls visit(list, value) for the values in their order, and does so twice.
+  template <typename Each>
+  static Lists gathered(std::size_t count, const Each& each)
+  {
+    Lists lists;
+    lists.offsets.assign(count + 1, 0);
+    each([&](int i, int) { ++lists.offsets[i + 1]; });
+    std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+    lists.values.resize(lists.offsets.back());
+    std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    each([&](int i, int value) { lists.values[next[i]++] = value; });
+    return lists;
+  }
 };
+
+// The places that are marked, ascending.
+std::vector<int> marked(const std::vector<char>& marks);
+
+// The values at some places; empty stays empty.
+template <typename Value>
+std::vector<Value> valuesAt(const std::vector<Value>& values, const std::vector<int>& places)
+{
+  std::vector<Value> result(values.empty() ? 0 : places.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    result[i] = values[places[i]];
+  }
+  return result;
+}
+
+// Sorts values and leaves each once.
+template <typename Value>
+void sortUnique(std::vector<Value>& values)
+{
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
 
 struct MeshEdge
 {
@@ -64,6 +124,10 @@ struct Adjacency
   {
     return this->trianglesBegin(edge) + this->edges[edge].triangleCount;
   }
+  Lists::Range trianglesAt(int edge) const
+  {
+    return { this->trianglesBegin(edge), this->trianglesEnd(edge) };
+  }
 };
 
 // Per vertex its triangles, ascending; a triangle with a repeated vertex is there once.
@@ -78,13 +142,15 @@ Adjacency buildAdjacency(const Mesh& mesh, const Context& context);
 // a triangle of positive area. `around`: see trianglesAround.
 std::vector<Vector3> vertexNormals(const Mesh& mesh);
 std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const Context& context);
-// That of one vertex.
+// The normal of one vertex.
 Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 
 // Unit facet normal, zero for a degenerate triangle.
 Vector3 facetNormal(const Mesh& mesh, int triangle);
+double facetArea(const Mesh& mesh, int triangle);
 
-double boundingDiagonal(const Mesh& mesh);
+Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points);
+double boundingDiagonal(const Mesh& mesh); // of that box; 0 without points
 
 // Length of the shortest edge path from the nearest source [model length], infinity beyond limit.
 std::vector<double> edgeDistances(const Mesh& mesh,

@@ -180,3 +180,16 @@ TEST(Shape, SmallestAngleIsThatBetweenEdges)
   EXPECT_EQ(narrowness(Vector3::Zero(), Vector3::UnitX(), Vector3(3.0, 0.0, 0.0)), 0.0);
   EXPECT_EQ(narrowness(Vector3::Zero(), Vector3::Zero(), Vector3::UnitX()), 0.0);
 }
+
+TEST(Context, EachIndexComesOnceAndNoneOnceCancelled)
+{
+  Context context;
+  std::vector<int> calls(7, 0);
+  context.each(7, [&](int i) { ++calls[i]; });
+  context.eachUntilCancelled(7, [&](int i) { ++calls[i]; });
+  EXPECT_EQ(calls, std::vector<int>(7, 2));
+  int done = 0;
+  context.cancelled = [&] { return done == 3; };
+  context.eachUntilCancelled(7, [&](int) { ++done; });
+  EXPECT_EQ(done, 3);
+}

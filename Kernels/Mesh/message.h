@@ -59,7 +59,7 @@ public:
   static Message unusable(const std::string& what, long long number, const Message& why);
 
   bool empty() const { return this->Text.empty(); }
-  // What it is known by, and what stands in its places.
+  // The text that it is known by, and what stands in its places.
   const std::string& id() const { return this->Text; }
   const std::vector<Argument>& arguments() const { return this->Places; }
   // As filters tell it.
@@ -70,8 +70,8 @@ public:
   // All that it or its messages have in braces.
   std::vector<std::string> named() const;
 
-  // Of what stands in braces: the property, with a large letter, and what it is to be set to, "on", "off", a
-  // choice or none; and as a filter calls it.
+  // Parts of what stands in braces: the property, with a large letter, and what it is to be set to, "on",
+  // "off", a choice or none; and as a filter calls it.
   static std::string propertyIn(const std::string& named);
   static std::string valueIn(const std::string& named);
   static std::string asProperty(const std::string& named);

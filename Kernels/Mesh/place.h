@@ -1,10 +1,12 @@
-// Places on a mesh: by vertices and weights, which outlive a change of positions, or in one triangle.
+// Places on a mesh: by vertices and weights, which outlive a change of positions, or in one triangle; and
+// points as weighted means of others.
 #ifndef oversketch_kernels_mesh_place_h
 #define oversketch_kernels_mesh_place_h
 
 #include "Mesh/mesh.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace oversketch
@@ -55,6 +57,15 @@ inline Vector3 positionOf(const Mesh& mesh, const SurfacePoint& at)
   return at.weights[0] * mesh.points[t[0]] + at.weights[1] * mesh.points[t[1]] +
          at.weights[2] * mesh.points[t[2]];
 }
+
+// Points and their weights, which add up to 1.
+using Mix = std::vector<std::pair<int, double>>;
+
+// A mix with its points ascending and each of them once; none whose weight is rounding (below 1e-12).
+Mix normalisedMix(Mix mix);
+
+// Whether two normalised mixes are the same place: weights to within 1e-9.
+bool sameMix(const Mix& a, const Mix& b);
 
 } // namespace oversketch
 #endif

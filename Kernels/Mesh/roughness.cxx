@@ -10,12 +10,6 @@ namespace
 
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
-// Whether triangle t has the edge in the direction from a to b.
-bool runsAlong(const Triangle& t, int a, int b)
-{
-  return (t[0] == a && t[1] == b) || (t[1] == a && t[2] == b) || (t[2] == a && t[0] == b);
-}
-
 } // namespace
 
 bool rougher(const Roughness& one, const Roughness& other)
@@ -43,28 +37,25 @@ Roughness roughness(const Mesh& mesh,
     double length = 0.0;
   };
   std::vector<Fold> folds(edges.size());
-  context.parallelFor(static_cast<int>(edges.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(edges.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const MeshEdge& edge = adjacency.edges[edges[i]];
+      const int* sides = adjacency.trianglesBegin(edges[i]);
+      const Vector3 first = facetNormal(mesh, sides[0]);
+      Vector3 second = facetNormal(mesh, sides[1]);
+      if (first.isZero(0.0) || second.isZero(0.0))
       {
-        const MeshEdge& edge = adjacency.edges[edges[i]];
-        const int* sides = adjacency.trianglesBegin(edges[i]);
-        const Vector3 first = facetNormal(mesh, sides[0]);
-        Vector3 second = facetNormal(mesh, sides[1]);
-        if (first.isZero(0.0) || second.isZero(0.0))
-        {
-          continue;
-        }
-        if (runsAlong(mesh.triangles[sides[0]], edge.v0, edge.v1) ==
-            runsAlong(mesh.triangles[sides[1]], edge.v0, edge.v1))
-        {
-          second = -second;
-        }
-        // Exact for small angles too, where the arc cosine is not.
-        folds[i] = { degrees * std::atan2(first.cross(second).norm(), first.dot(second)),
-          (mesh.points[edge.v1] - mesh.points[edge.v0]).norm() };
+        return;
       }
+      if (runsAlong(mesh.triangles[sides[0]], edge.v0, edge.v1) ==
+          runsAlong(mesh.triangles[sides[1]], edge.v0, edge.v1))
+      {
+        second = -second;
+      }
+      // Exact for small angles too, where the arc cosine is not.
+      folds[i] = { degrees * std::atan2(first.cross(second).norm(), first.dot(second)),
+        (mesh.points[edge.v1] - mesh.points[edge.v0]).norm() };
     });
   double angles = 0.0, lengths = 0.0, sharp = 0.0;
   int count = 0;

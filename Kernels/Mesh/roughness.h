@@ -21,9 +21,9 @@ constexpr double sharpAngle = 40.0; // degrees
 // More than 1.25 times plus 1 degree of the other's mean angle, or over 0.01 more of sharp length.
 bool rougher(const Roughness& one, const Roughness& other);
 
-// Of the edges with an end in the region (one byte per vertex) and two triangles of positive area; zero where
-// there is none. Edges with one triangle or more than two count for nothing; winding does not matter. Summed
-// in the order of the edges.
+// Looks at the edges with an end in the region (one byte per vertex) and two triangles of positive area; zero
+// where there is none. Edges with one triangle or more than two count for nothing; winding does not matter.
+// Summed in the order of the edges.
 Roughness roughness(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& region,

@@ -108,22 +108,15 @@ Mesh weldedMesh(const Mesh& mesh, const std::vector<int>& vertices)
 std::vector<int> attributeClasses(const std::vector<int>& vertices, const PointValues& values)
 {
   const int count = static_cast<int>(vertices.size());
-  Lists points; // by vertex, ascending
-  points.offsets.assign(count > 0 ? *std::max_element(vertices.begin(), vertices.end()) + 2 : 1, 0);
-  for (const int v : vertices)
-  {
-    ++points.offsets[v + 1];
-  }
-  for (std::size_t v = 1; v < points.offsets.size(); ++v)
-  {
-    points.offsets[v] += points.offsets[v - 1];
-  }
-  points.values.resize(vertices.size());
-  std::vector<int> next(points.offsets.begin(), points.offsets.end() - 1);
-  for (int i = 0; i < count; ++i)
-  {
-    points.values[next[vertices[i]]++] = i;
-  }
+  Lists points = Lists::gathered( // by vertex, ascending
+    count > 0 ? *std::max_element(vertices.begin(), vertices.end()) + 1 : 0,
+    [&](auto&& visit)
+    {
+      for (int i = 0; i < count; ++i)
+      {
+        visit(vertices[i], i);
+      }
+    });
 
   // Ordered by values, what is not a number last; then by number.
   const auto before = [&](int a, int b)
@@ -173,16 +166,7 @@ Charts findCharts(const Mesh& welded,
   const std::vector<int>& classes)
 {
   const auto classAt = [&](int triangle, int vertex)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      if (welded.triangles[triangle][k] == vertex)
-      {
-        return classes[corners[triangle][k]];
-      }
-    }
-    return -1;
-  };
+  { return classes[corners[triangle][cornerOf(welded.triangles[triangle], vertex)]]; };
   // Neighbours across an edge of two triangles, and whether an attribute jumps there.
   const auto eachNeighbour = [&](int triangle, auto&& visit)
   {

@@ -18,7 +18,7 @@ std::vector<int> weldPoints(const std::vector<Vector3>& points);
 // The mesh with its points welded, triangles in their order.
 Mesh weldedMesh(const Mesh& mesh, const std::vector<int>& vertices);
 
-// What a reader may have split a point for: `components` numbers at each point.
+// Attributes that a reader may have split a point for: `components` numbers at each point.
 struct PointValues
 {
   int components = 0;

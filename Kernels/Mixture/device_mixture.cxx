@@ -1,6 +1,7 @@
-#include "Mixture/device_mixture.h"
+#include "Mixture/mixture.h"
 
 #include "Mixture/mixture_cl.h"
+#include "OpenCL/device.h"
 
 #include <algorithm>
 

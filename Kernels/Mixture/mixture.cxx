@@ -169,14 +169,9 @@ MixtureFit fitMixture(const std::vector<double>& samples,
   {
     context.checkpoint(double(fit.mixture.size()) / options.components);
     mixtureKernels().density(fit.mixture, samples, density);
-    context.parallelFor(int(insertions.size()),
-      [&](int begin, int end)
-      {
-        for (int c = begin; c < end; ++c)
-        {
-          insertions[c] = scoreCandidate(samples, density, candidates.means[c], candidates.variance);
-        }
-      });
+    context.each(int(insertions.size()),
+      [&](int c)
+      { insertions[c] = scoreCandidate(samples, density, candidates.means[c], candidates.variance); });
     const auto best = std::max_element(insertions.begin(),
       insertions.end(),
       [](const Insertion& a, const Insertion& b) { return a.logLikelihood < b.logLikelihood; });
@@ -249,14 +244,8 @@ std::vector<double> evenSamples(const std::vector<double>& values,
   }
   // In halves, so that two threads can.
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  context.parallelFor(2,
-    [&](int begin, int end)
-    {
-      for (int half = begin; half < end; ++half)
-      {
-        std::sort(half == 0 ? sorted.begin() : middle, half == 0 ? middle : sorted.end());
-      }
-    });
+  context.each(
+    2, [&](int half) { std::sort(half == 0 ? sorted.begin() : middle, half == 0 ? middle : sorted.end()); });
   std::inplace_merge(sorted.begin(), middle, sorted.end());
   double all = 0.0;
   for (const auto& [value, weight] : sorted)

@@ -13,8 +13,8 @@
 namespace oversketch
 {
 
-// Of each component, r its share of a sample and d the sample's distance from its mean: the sums of r, r d
-// and r d^2. And the mixture's log-likelihood.
+// Sums of r, r d and r d^2 for each component, r its share of a sample and d the sample's distance from its
+// mean. And the mixture's log-likelihood.
 struct StepSums
 {
   double mass[maximumMixtureComponents], first[maximumMixtureComponents], second[maximumMixtureComponents];

@@ -1,5 +1,6 @@
 #include "Harness/shapes.h"
-#include "Mixture/device_mixture.h"
+#include "Mixture/mixture.h"
+#include "OpenCL/device.h"
 
 #include <gtest/gtest.h>
 

@@ -2,9 +2,14 @@
 #ifndef oversketch_kernels_open_cl_device_h
 #define oversketch_kernels_open_cl_device_h
 
-#include "Mesh/backend.h"
 #include "Mesh/context.h"
-#include "OpenCL/opencl.h"
+
+// Version 1.2 of the C++ binding, with exceptions.
+#define CL_TARGET_OPENCL_VERSION 120
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_HPP_ENABLE_EXCEPTIONS
+#include <CL/opencl.hpp>
 
 #include <atomic>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #ifndef oversketch_kernels_open_cl_program_cache_h
 #define oversketch_kernels_open_cl_program_cache_h
 
-#include "OpenCL/opencl.h"
+#include "OpenCL/device.h"
 
 #include <filesystem>
 #include <string>
@@ -16,8 +16,8 @@
 namespace oversketch
 {
 
-// What the compiled program depends on, as text: our format, platform, device and driver with their versions,
-// the options, and the source itself.
+// Text of all that the compiled program depends on: our format, platform, device and driver with their
+// versions, the options, and the source itself.
 std::string programKey(const cl::Device& device, const std::string& source, const std::string& options);
 
 // The file for a key; empty without a cache. The environment is read at each call.

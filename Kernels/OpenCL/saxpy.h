@@ -1,4 +1,5 @@
-// What the tests compute on a device: (10, 20, 30, 40) + 2 (1, 2, 3, 4), in two groups of two. Header-only.
+// Sums that the tests compute on a device: (10, 20, 30, 40) + 2 (1, 2, 3, 4), in two groups of two.
+// Header-only.
 #ifndef oversketch_kernels_open_cl_saxpy_h
 #define oversketch_kernels_open_cl_saxpy_h
 

@@ -90,24 +90,21 @@ public:
     , Caller(context)
     , Prims(scene.facets.size())
   {
-    context.parallelFor(static_cast<int>(this->Prims.size()),
-      [&](int begin, int end)
+    context.each(static_cast<int>(this->Prims.size()),
+      [&](int t)
       {
-        for (int t = begin; t < end; ++t)
+        Prim& prim = this->Prims[t];
+        prim.box = Box();
+        for (const int v : scene.facets[t].places)
         {
-          Prim& prim = this->Prims[t];
-          prim.box = Box();
-          for (const int v : scene.facets[t].places)
-          {
-            Quad point;
-            std::memcpy(&point, scene.points[v].data(), sizeof point);
-            prim.box.add(point);
-          }
-          prim.centre = prim.box.low + prim.box.high;
-          float bits;
-          std::memcpy(&bits, &t, sizeof bits);
-          prim.centre[3] = bits;
+          Quad point;
+          std::memcpy(&point, scene.points[v].data(), sizeof point);
+          prim.box.add(point);
         }
+        prim.centre = prim.box.low + prim.box.high;
+        float bits;
+        std::memcpy(&bits, &t, sizeof bits);
+        prim.centre[3] = bits;
       });
   }
 
@@ -128,14 +125,8 @@ public:
     std::vector<Part> halves(firstCount);
     std::vector<std::vector<Range>> halfRanges(firstCount);
     std::vector<std::vector<int>> halfSlots(firstCount);
-    this->Caller.parallelFor(firstCount,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end && !this->Caller.cancelled(); ++i)
-        {
-          this->expand(halves[i], second[i], halfRanges[i], halfSlots[i]);
-        }
-      });
+    this->Caller.eachUntilCancelled(
+      firstCount, [&](int i) { this->expand(halves[i], second[i], halfRanges[i], halfSlots[i]); });
     this->Caller.checkpoint(0.0);
     for (int i = 0; i < firstCount; ++i)
     {
@@ -149,14 +140,11 @@ public:
     }
     const int partCount = static_cast<int>(third.size());
     std::vector<Part> parts(partCount);
-    this->Caller.parallelFor(partCount,
-      [&](int begin, int end)
+    this->Caller.eachUntilCancelled(partCount,
+      [&](int i)
       {
-        for (int i = begin; i < end && !this->Caller.cancelled(); ++i)
-        {
-          parts[i].packs.reserve(third[i].count() / usualLeaf);
-          this->subtree(parts[i], third[i]);
-        }
+        parts[i].packs.reserve(third[i].count() / usualLeaf);
+        this->subtree(parts[i], third[i]);
       });
     this->Caller.checkpoint(0.0);
     return this->join(top, parts, thirdSlots);
@@ -433,19 +421,16 @@ private:
     {
       bvh.nodes[slots[i] / Bvh::width].child[slots[i] % Bvh::width] = nodeStarts[i];
     }
-    this->Caller.parallelFor(static_cast<int>(parts.size()),
-      [&](int begin, int end)
+    this->Caller.each(static_cast<int>(parts.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end; ++i)
+        Bvh::Node* node =
+          std::copy(parts[i].nodes.begin(), parts[i].nodes.end(), bvh.nodes.data() + nodeStarts[i]);
+        for (Bvh::Node* n = bvh.nodes.data() + nodeStarts[i]; n != node; ++n)
         {
-          Bvh::Node* node =
-            std::copy(parts[i].nodes.begin(), parts[i].nodes.end(), bvh.nodes.data() + nodeStarts[i]);
-          for (Bvh::Node* n = bvh.nodes.data() + nodeStarts[i]; n != node; ++n)
-          {
-            move(*n, nodeStarts[i], packStarts[i]);
-          }
-          std::copy(parts[i].packs.begin(), parts[i].packs.end(), bvh.packs.data() + packStarts[i]);
+          move(*n, nodeStarts[i], packStarts[i]);
         }
+        std::copy(parts[i].packs.begin(), parts[i].packs.end(), bvh.packs.data() + packStarts[i]);
       });
     finish(bvh);
     return bvh;

@@ -1,7 +1,7 @@
 #include "Ray/curve_projection.h"
 
-#include "Mesh/pixel.h"
-#include "Ray/surface_pieces.h"
+#include "Mesh/view.h"
+#include "Ray/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -275,14 +275,7 @@ std::vector<SurfaceCurve> projectCurve(const SurfaceRays& surface,
   }
   const CurveTracer tracer(surface, view, picture, rules);
   std::vector<Look> looks(static_cast<std::size_t>(count) + closed);
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
-      {
-        looks[i] = tracer.look(i);
-      }
-    });
+  context.eachUntilCancelled(count, [&](int i) { looks[i] = tracer.look(i); });
   context.checkpoint(0.5);
   if (closed)
   {
@@ -290,19 +283,16 @@ std::vector<SurfaceCurve> projectCurve(const SurfaceRays& surface,
     looks.back().along = count;
   }
   std::vector<std::vector<SurfaceSample>> rows(looks.size());
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      if (i > 0)
       {
-        if (i > 0)
-        {
-          tracer.join(looks[i - 1], looks[i], rows[i]);
-        }
-        else if (looks[0].hit.found())
-        {
-          rows[0].push_back({ looks[0].hit.at, looks[0].hit.position, 0.0 });
-        }
+        tracer.join(looks[i - 1], looks[i], rows[i]);
+      }
+      else if (looks[0].hit.found())
+      {
+        rows[0].push_back({ looks[0].hit.at, looks[0].hit.position, 0.0 });
       }
     });
   context.checkpoint(0.7);

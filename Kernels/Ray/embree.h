@@ -1,4 +1,4 @@
-// What the two users of Embree share: its header of either version, handles that let go, a ray. Not
+// Parts that the two users of Embree share: its header of either version, handles that let go, a ray. Not
 // installed.
 #ifndef oversketch_kernels_ray_embree_h
 #define oversketch_kernels_ray_embree_h

@@ -12,8 +12,8 @@ namespace oversketch
 namespace
 {
 
-// What the filter reads and writes for the ray in flight. Embree hands the context back, so its part comes
-// first.
+// State that the filter reads and writes for the ray in flight. Embree hands the context back, so its part
+// comes first.
 struct Query
 {
   embree::Context context;

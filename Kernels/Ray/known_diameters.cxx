@@ -1,6 +1,6 @@
 #include "Ray/known_diameters.h"
 
-#include "Ray/mesh_match.h"
+#include "Mesh/match.h"
 #include "Ray/ray_starts.h"
 
 #include <iterator>
@@ -45,7 +45,7 @@ Mesh changedFacets(const Mesh& before, const Mesh& now, const MeshMatch& match)
   return changed;
 }
 
-// What takes over values of the mesh before.
+// Takes over values of the mesh before.
 class Successor
 {
 public:
@@ -73,15 +73,12 @@ public:
       std::vector<char>(this->Model.points.size(), 0), std::vector<int>(this->Model.points.size(), -1), {}
     };
     std::vector<char>& kept = taken.kept;
-    this->Caller.parallelFor(this->Model.vertexCount(),
-      [&](int begin, int end)
+    this->Caller.each(this->Model.vertexCount(),
+      [&](int v)
       {
-        for (int v = begin; v < end; ++v)
-        {
-          const int before = this->Match.vertices[v];
-          kept[v] = before >= 0 && this->Normals[v].squaredNorm() > 0.0 &&
-                    this->Sides[v] == this->Known.sides[before];
-        }
+        const int before = this->Match.vertices[v];
+        kept[v] =
+          before >= 0 && this->Normals[v].squaredNorm() > 0.0 && this->Sides[v] == this->Known.sides[before];
       });
     std::vector<int> vertices;
     std::copy_if(this->Scene.order.begin(),
@@ -91,22 +88,19 @@ public:
     Mesh changed = changedFacets(*this->Known.mesh, this->Model, this->Match);
     this->dropCones(changed, vertices, kept);
     this->dropRays(std::move(changed), vertices, makeCaster, taken);
-    this->Caller.parallelFor(this->Model.vertexCount(),
-      [&](int begin, int end)
+    this->Caller.each(this->Model.vertexCount(),
+      [&](int v)
       {
-        for (int v = begin; v < end; ++v)
+        if (kept[v])
         {
-          if (kept[v])
-          {
-            const int before = this->Match.vertices[v];
-            result.diameter[v] = this->Known.measures.diameter[before];
-            result.measured[v] = this->Known.measures.measured[before];
-            result.reach[v] = this->Known.measures.reach[before];
-            const auto lengths = this->lengths(v);
-            std::copy(lengths,
-              lengths + this->Cone.size(),
-              result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->Cone.size()));
-          }
+          const int before = this->Match.vertices[v];
+          result.diameter[v] = this->Known.measures.diameter[before];
+          result.measured[v] = this->Known.measures.measured[before];
+          result.reach[v] = this->Known.measures.reach[before];
+          const auto lengths = this->lengths(v);
+          std::copy(lengths,
+            lengths + this->Cone.size(),
+            result.lengths.begin() + static_cast<std::ptrdiff_t>(v * this->Cone.size()));
         }
       });
     return taken;
@@ -145,7 +139,7 @@ private:
     vertices.resize(count);
   }
 
-  // Of the dropped vertices takes back those no ray of which leaves through a changed facet within its
+  // Takes back dropped vertices no ray of which leaves through a changed facet within its
   // length.
   void dropRays(Mesh mesh,
     const std::vector<int>& vertices,
@@ -187,21 +181,18 @@ private:
           });
       }
       caster->cast(batch, hits, this->Caller);
-      this->Caller.parallelFor(count,
-        [&](int begin, int end)
+      this->Caller.each(count,
+        [&](int i)
         {
-          for (int i = begin; i < end; ++i)
+          const int v = vertices[first + i];
+          const auto lengths = this->lengths(v);
+          const RayLengths packing(this->reach(v));
+          taken.kept[v] = 1;
+          for (int k = 0; k < rays; ++k)
           {
-            const int v = vertices[first + i];
-            const auto lengths = this->lengths(v);
-            const RayLengths packing(this->reach(v));
-            taken.kept[v] = 1;
-            for (int k = 0; k < rays; ++k)
-            {
-              RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
-              hit.triangle = hit.distance > packing.unpack(lengths[k]) ? -1 : hit.triangle;
-              taken.kept[v] = hit.triangle >= 0 ? 0 : taken.kept[v];
-            }
+            RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
+            hit.triangle = hit.distance > packing.unpack(lengths[k]) ? -1 : hit.triangle;
+            taken.kept[v] = hit.triangle >= 0 ? 0 : taken.kept[v];
           }
         });
       this->addBounds(vertices.data() + first, count, hits, taken);
@@ -209,7 +200,7 @@ private:
     this->Caller.checkpoint(0.0);
   }
 
-  // What the lengths before and the hits on changed facets within them tell of the rays of dropped vertices.
+  // Adds what the lengths before and the hits on changed facets tell of the rays of dropped vertices.
   void addBounds(const int* vertices, int count, const std::vector<RayHit>& hits, TakenOver& taken) const
   {
     constexpr float below = 0.9999f, above = 1.0001f; // far more than rounding
@@ -275,17 +266,14 @@ RayBatch conesOf(const int* vertices,
   batch.vertices.assign(vertices, vertices + count);
   batch.starts.assign(count, 0.0f);
   batch.directions.resize(static_cast<std::size_t>(count) * rays);
-  context.parallelFor(count,
-    [&](int begin, int end)
+  context.each(count,
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]], sides[vertices[i]]);
+      for (int k = 0; k < rays; ++k)
       {
-        const Eigen::Matrix3d frame = frameAround(-normals[vertices[i]], sides[vertices[i]]);
-        for (int k = 0; k < rays; ++k)
-        {
-          const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
-          batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
-        }
+        const Eigen::Vector3f d = (frame * cone[k]).cast<float>();
+        batch.directions[static_cast<std::size_t>(i) * rays + k] = { d[0], d[1], d[2] };
       }
     });
   return batch;

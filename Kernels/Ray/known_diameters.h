@@ -1,4 +1,4 @@
-// What the shape diameter of one mesh spares that of the next.
+// Rays of one mesh's shape diameter that need not be traced for the next mesh.
 #ifndef oversketch_kernels_ray_known_diameters_h
 #define oversketch_kernels_ray_known_diameters_h
 
@@ -52,11 +52,11 @@ RayBatch conesOf(const int* vertices,
 
 using MakeCaster = std::function<std::unique_ptr<RayCaster>(const RayScene&)>;
 
-// What another mesh tells of the rays of this one.
+// Knowledge of this mesh's rays from another one.
 struct TakenOver
 {
   std::vector<char> kept; // per vertex 1 where its values hold
-  // Of vertices whose values do not hold, but whose rays are the same: where to find the bounds of these.
+  // Places of the bounds of rays that are the same though their vertex's values do not hold.
   std::vector<int> rows; // per vertex, -1: there are none
   std::vector<RayBounds> bounds;
 };

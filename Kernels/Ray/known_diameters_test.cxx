@@ -1,6 +1,6 @@
 // A mesh that changes bit by bit: what is known of it spares rays and never shows in the result.
 #include "Harness/shapes.h"
-#include "Ray/mesh_match.h"
+#include "Mesh/match.h"
 #include "Ray/ray_caster.h"
 #include "Ray/shape_diameter.h"
 

@@ -1,9 +1,5 @@
 #include "Ray/projection.h"
 
-#include "Mesh/pixel.h"
-#include "Ray/room.h"
-#include "Ray/surface_pieces.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +15,7 @@ template <typename... Arguments>
   throw Error(Failure::BadStroke, text, arguments...);
 }
 
-// What is under a place of the stroke.
+// A place of the stroke, and what is under it.
 struct Seen
 {
   Vector2 display;
@@ -386,14 +382,7 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   }
   const StrokeTracer tracer(surface, view, tolerance);
   std::vector<Seen> seen(stroke.size());
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
-      {
-        seen[i] = tracer.look(stroke[i], i);
-      }
-    });
+  context.eachUntilCancelled(count, [&](int i) { seen[i] = tracer.look(stroke[i], i); });
   context.checkpoint(0.3);
   if (closed)
   {
@@ -402,19 +391,16 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   }
   // Row 0 is the first sample, row i what follows sample i - 1 up to sample i.
   std::vector<std::vector<SurfaceSample>> rows(seen.size());
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      if (i > 0)
       {
-        if (i > 0)
-        {
-          tracer.join(seen[i - 1], seen[i], rows[i]);
-        }
-        else if (seen[0].hit.found())
-        {
-          rows[0].push_back({ seen[0].hit.at, seen[0].hit.position, 0.0 });
-        }
+        tracer.join(seen[i - 1], seen[i], rows[i]);
+      }
+      else if (seen[0].hit.found())
+      {
+        rows[0].push_back({ seen[0].hit.at, seen[0].hit.position, 0.0 });
       }
     });
   context.checkpoint(0.9);
@@ -503,6 +489,76 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   }
   result.hidden = hiddenDent(surface, view, result, n);
   return result;
+}
+
+namespace
+{
+
+// Splits a row of samples at its gaps.
+std::vector<SurfaceCurve> cutAtGaps(const std::vector<std::vector<SurfaceSample>>& rows)
+{
+  std::vector<SurfaceCurve> pieces(1);
+  for (const std::vector<SurfaceSample>& row : rows)
+  {
+    for (const SurfaceSample& sample : row)
+    {
+      std::vector<SurfaceSample>& samples = pieces.back().samples;
+      if (sample.at.triangle < 0)
+      {
+        pieces.emplace_back();
+      }
+      else if (samples.empty() || samples.back().position != sample.position)
+      {
+        samples.push_back(sample);
+      }
+    }
+  }
+  return pieces;
+}
+
+// The last piece of a closed stroke ends where the first one begins, if that place was hit.
+void joinRing(std::vector<SurfaceCurve>& pieces, int strokeSize)
+{
+  std::vector<SurfaceSample>& first = pieces.front().samples;
+  std::vector<SurfaceSample>& last = pieces.back().samples;
+  if (first.empty() || last.empty() || first.front().position != last.back().position)
+  {
+    return;
+  }
+  if (pieces.size() == 1)
+  {
+    if (first.size() > 3)
+    {
+      first.pop_back();
+      pieces.front().closed = true;
+    }
+    return;
+  }
+  for (std::size_t i = 1; i < first.size(); ++i)
+  {
+    first[i].along += strokeSize;
+  }
+  last.insert(last.end(), first.begin() + 1, first.end());
+  first.swap(last);
+  pieces.pop_back();
+}
+
+} // namespace
+
+std::vector<SurfaceCurve> piecesOf(const std::vector<std::vector<SurfaceSample>>& rows,
+  bool closed,
+  int strokeSize)
+{
+  std::vector<SurfaceCurve> pieces = cutAtGaps(rows);
+  if (closed)
+  {
+    joinRing(pieces, strokeSize);
+  }
+  pieces.erase(
+    std::remove_if(
+      pieces.begin(), pieces.end(), [](const SurfaceCurve& piece) { return piece.samples.size() < 2; }),
+    pieces.end());
+  return pieces;
 }
 
 } // namespace oversketch

@@ -59,7 +59,7 @@ struct SilhouetteChain
 // How a sketch in its plane comes to the surface. n is the mean of the silhouette's normals at both ends.
 enum class SketchProjection
 {
-  Ray = 0,  // first hit against n; else along n; else the nearest place (as published)
+  Ray = 0,  // first hit against n; else along n; else the nearest place
   Line = 1, // the hit of the line along n, both ways, that is nearest to the one before
   Path = 2  // the silhouette between the ends, by shares of length
 };
@@ -77,8 +77,8 @@ struct SilhouetteSketch
 {
   SurfaceCurve curve; // open, one sample for each of the stroke
   std::vector<Vector3> sketch;
-  // Of a dent, how far from the curve the surface hides it along the lines of sight: from there on nothing of
-  // it need move; 0 of a bump [model length].
+  // How far, of a dent, from the curve the surface hides it along the lines of sight: from there on nothing
+  // of it need move; 0 of a bump [model length].
   double hidden = 0.0;
 };
 
@@ -97,6 +97,13 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   const std::vector<SilhouetteChain>& silhouette,
   const SketchRules& rules,
   const Context& context = Context());
+
+// Row 0 is the first sample of the stroke, row i what follows sample i - 1 up to sample i; a sample without
+// triangle is a gap. Of a closed stroke of strokeSize samples there is a row more, up to the first one again:
+// the pieces that meet there are one. Pieces with fewer than two samples are left out.
+std::vector<SurfaceCurve> piecesOf(const std::vector<std::vector<SurfaceSample>>& rows,
+  bool closed,
+  int strokeSize);
 
 } // namespace oversketch
 #endif

@@ -17,7 +17,7 @@ namespace oversketch
 
 class Device;
 
-// What is asked of a facet that a ray has met. One line of the processor's cache.
+// A facet as it is asked when a ray has met it. One line of the processor's cache.
 struct alignas(64) RayFacet
 {
   std::array<float, 3> normal; // unit; zero for a degenerate triangle, which no ray can hit
@@ -67,7 +67,7 @@ private:
   void findPlaces(const std::vector<std::uint32_t>& cells);
 };
 
-// What is known of a ray [unit of the scene]: it leaves through no facet nearer than `low`, and whether it
+// Knowledge of a ray [unit of the scene]: it leaves through no facet nearer than `low`, and whether it
 // does through one farther than `high` does not matter: such a hit need not be found. A caster need not use
 // it.
 struct RayBounds
@@ -106,7 +106,7 @@ inline bool leavesThrough(const RayFacet& facet, int place, const std::array<flo
          facet.places[0] != place && facet.places[1] != place && facet.places[2] != place;
 }
 
-// Of facets that a ray meets at the same distance the one that comes first is hit. The order depends on the
+// Tells which of two facets that a ray meets at the same distance is hit. The order depends on the
 // facets alone, not on their numbers or on a caster's tree. Facets of one plane that are equal in it lead to
 // the same length. Shared by both casters.
 inline bool comesBefore(const RayFacet& a, const RayFacet& b)
@@ -148,6 +148,14 @@ std::unique_ptr<RayCaster> makeEmbreeCaster(const RayScene& scene);
 std::unique_ptr<RayCaster> makeOpenCLCaster(const RayScene& scene,
   const std::shared_ptr<Device>& device,
   const Context& context);
+
+// Points within [-1, 1] along a Hilbert curve through 1024^3 cells.
+struct CurveOrder
+{
+  std::vector<int> indices;         // ascending within a cell
+  std::vector<std::uint32_t> cells; // of each of them where the curve reaches its cell: the same in one cell
+};
+CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
 
 } // namespace oversketch
 #endif

@@ -23,7 +23,7 @@ constexpr float widest = 1.55f; // radians; from a right angle on, a cone is non
 constexpr float sceneDiagonal = 3.5f;
 constexpr float grazing = 1e-3f;
 
-// What a set of facets is to the search: where it lies and which way its facets face.
+// A set of facets as the search sees it: where it lies and which way its facets face.
 struct Cluster
 {
   Vector3f low = Vector3f::Constant(huge), high = Vector3f::Constant(-huge);
@@ -61,8 +61,8 @@ struct Cones
   Vector3f centre, half; // of the box of the vertices
   Vector3f normal;       // the mean
   float radius;          // of the sphere round the box
-  // Of the angle from the mean normal to the outermost ray, and of the angle that a facet's normal may be
-  // away from it so that no ray leaves through the facet.
+  // Functions of the angle from the mean normal to the outermost ray, and of the angle that a facet's normal
+  // may be away from it so that no ray leaves through the facet.
   float openingCosine, openingSine, limitCosine, limitSine;
 
   Cones(const Vector3f& low, const Vector3f& high, const Vector3f& n, float opening)
@@ -129,31 +129,22 @@ public:
     , Facets(facetOrder(scene))
   {
     std::vector<Cluster> clusters(Facets.size()), parents;
-    context.parallelFor(static_cast<int>(clusters.size()),
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          clusters[i] = this->ofFacet(this->Facets[i]);
-        }
-      });
+    context.each(
+      static_cast<int>(clusters.size()), [&](int i) { clusters[i] = this->ofFacet(this->Facets[i]); });
     do
     {
       const int count = static_cast<int>(clusters.size() + wide - 1) / wide;
       this->Levels.emplace_back(count);
       std::vector<Node>& nodes = this->Levels.back();
       parents.assign(count, Cluster());
-      context.parallelFor(count,
-        [&](int begin, int end)
+      context.each(count,
+        [&](int i)
         {
-          for (int i = begin; i < end; ++i)
+          const int first = i * wide, last = std::min(first + wide, static_cast<int>(clusters.size()));
+          parents[i] = join(clusters.data() + first, clusters.data() + last);
+          for (int k = 0; k < wide; ++k)
           {
-            const int first = i * wide, last = std::min(first + wide, static_cast<int>(clusters.size()));
-            parents[i] = join(clusters.data() + first, clusters.data() + last);
-            for (int k = 0; k < wide; ++k)
-            {
-              nodes[i].set(k, first + k < last ? clusters[first + k] : Cluster());
-            }
+            nodes[i].set(k, first + k < last ? clusters[first + k] : Cluster());
           }
         });
       clusters.swap(parents);
@@ -406,17 +397,14 @@ std::vector<char> conesThatMeet(const RayScene& others,
     return met;
   }
   const Clusters clusters(others, context);
-  context.parallelFor(static_cast<int>(vertices.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(vertices.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const int v = vertices[i];
-        const Vector3f p(scene.points[v].data());
-        // Lengths of rays that graze a facet are rounded far more than points are.
-        const float radius = std::min(reaches[i], sceneDiagonal) + grazing;
-        met[i] = clusters.meet(Cones(p, p, normals[v].cast<float>(), outermost), radius * radius);
-      }
+      const int v = vertices[i];
+      const Vector3f p(scene.points[v].data());
+      // Lengths of rays that graze a facet are rounded far more than points are.
+      const float radius = std::min(reaches[i], sceneDiagonal) + grazing;
+      met[i] = clusters.meet(Cones(p, p, normals[v].cast<float>(), outermost), radius * radius);
     });
   return met;
 }

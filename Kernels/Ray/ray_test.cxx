@@ -1,6 +1,5 @@
 #include "Harness/shapes.h"
 #include "Ray/bvh.h"
-#include "Ray/curve.h"
 #include "Ray/ray_caster.h"
 #include "Ray/ray_starts.h"
 #include "Ray/shape_diameter.h"

@@ -127,11 +127,11 @@ void fillUnmeasured(const Mesh& mesh, const Adjacency& adjacency, ShapeDiameter&
     {
       double neighbours = 0.0;
       int count = 0;
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (known[*n])
+        if (known[n])
         {
-          neighbours += result.diameter[*n];
+          neighbours += result.diameter[n];
           ++count;
         }
       }
@@ -270,7 +270,7 @@ public:
   }
 
 private:
-  // What is known of the rays of a batch, where something is.
+  // Adds what is known of the rays of a batch, where something is.
   void addBounds(RayBatch& batch) const
   {
     if (this->Known.bounds.empty())
@@ -318,15 +318,12 @@ void traceAndSummarise(const VertexRays& cones,
     {
       // Each part from its rays to its values at once, while they are in the cache.
       const int parts = (count + verticesPerPart - 1) / verticesPerPart;
-      context.parallelFor(parts,
-        [&](int begin, int end)
+      context.eachUntilCancelled(parts,
+        [&](int part)
         {
-          for (int part = begin; part < end && !context.cancelled(); ++part)
-          {
-            const int start = part * verticesPerPart;
-            cones.measure(
-              first + start, std::min(verticesPerPart, count - start), caster, Context(), result, allHits);
-          }
+          const int start = part * verticesPerPart;
+          cones.measure(
+            first + start, std::min(verticesPerPart, count - start), caster, Context(), result, allHits);
         });
     }
     else
@@ -365,20 +362,17 @@ std::vector<Vector3> coneSides(const Mesh& mesh,
     double total = 0.0;
   };
   std::vector<Sum> sums(mesh.points.size());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      for (const int t : around[v])
       {
-        for (const int* t = around.begin(v); t != around.end(v); ++t)
+        for (const int n : mesh.triangles[t])
         {
-          for (const int n : mesh.triangles[*t])
-          {
-            const Vector3 edge = (mesh.points[n] - mesh.points[v]) / scene.frame.scale;
-            const double weight = edge.squaredNorm() * edge.squaredNorm();
-            sums[v].edges += weight * edge;
-            sums[v].total += weight * edge.norm();
-          }
+          const Vector3 edge = (mesh.points[n] - mesh.points[v]) / scene.frame.scale;
+          const double weight = edge.squaredNorm() * edge.squaredNorm();
+          sums[v].edges += weight * edge;
+          sums[v].total += weight * edge.norm();
         }
       }
     });
@@ -391,17 +385,14 @@ std::vector<Vector3> coneSides(const Mesh& mesh,
     }
   }
   std::vector<Vector3> sides(mesh.points.size(), Vector3::Zero());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      const Sum& sum = sums[scene.places[v]];
+      const Vector3 side = sum.edges - sum.edges.dot(normals[v]) * normals[v];
+      if (side.norm() > evenRing * sum.total)
       {
-        const Sum& sum = sums[scene.places[v]];
-        const Vector3 side = sum.edges - sum.edges.dot(normals[v]) * normals[v];
-        if (side.norm() > evenRing * sum.total)
-        {
-          sides[v] = side.normalized();
-        }
+        sides[v] = side.normalized();
       }
     });
   return sides;

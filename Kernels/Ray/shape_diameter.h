@@ -59,9 +59,9 @@ struct ConeMeasures
     lengths; // of each ray, rounded up, as parts of the longest: see known_diameters.h
 };
 
-// What a computation leaves for that of the next mesh. A vertex whose point and normal stayed keeps its value
-// if its cone, as far as its rays went, meets no facet that came or went; only the others are cast again.
-// Without mesh and normals 7 bytes a triangle and half a byte a ray.
+// Results that a computation leaves for that of the next mesh. A vertex whose point and normal stayed keeps
+// its value if its cone, as far as its rays went, meets no facet that came or went; only the others are cast
+// again. Without mesh and normals 7 bytes a triangle and half a byte a ray.
 struct KnownDiameters
 {
   bool filled = false;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 namespace oversketch
 {
@@ -120,7 +121,8 @@ struct FacetNumbers
   }
 };
 
-// What the callbacks read and write for the line in flight. Embree hands it back as the context that it is.
+// State that the callbacks read and write for the line in flight. Embree hands it back as the context that it
+// is.
 struct LineQuery : embree::Context
 {
   FacetNumbers of;
@@ -215,14 +217,14 @@ bool keepsBuilding(void* context, double)
 class FacetTree
 {
 public:
-  // Of all facets.
+  // Takes all facets.
   FacetTree(const SceneFacets& facets, const Context& context)
     : Facets(facets)
     , Device(embree::startDevice())
   {
     this->build({ &this->Facets, nullptr }, this->Facets.mesh->triangles.size(), context);
   }
-  // Of some, by a device that there is.
+  // Takes some, by a device that there is.
   FacetTree(const SceneFacets& facets,
     std::vector<int> chosen,
     const FacetTree& other,
@@ -438,6 +440,118 @@ SurfaceHit SurfaceRays::closest(const Vector3& point) const
   SurfaceHit hit = this->Internals->hit(nearest.at, 0.0);
   hit.distance = (hit.position - point).stableNorm();
   return hit;
+}
+
+Room roomAt(const SurfaceRays& surface, const Vector3& place, const Vector3& normal)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Room room{ none, none };
+  if (!place.allFinite() || !(normal.norm() > 0.0))
+  {
+    return room;
+  }
+  const Vector3 n = normal.normalized();
+  for (const SurfaceHit& hit : surface.all({ place, n }))
+  {
+    const double slope = facetNormal(surface.mesh(), hit.at.triangle).dot(n);
+    if (hit.distance < 0.0 && slope < 0.0)
+    {
+      room.inward = std::min(room.inward, -hit.distance);
+    }
+    if (hit.distance > 0.0 && slope < 0.0)
+    {
+      room.outward = std::min(room.outward, hit.distance);
+    }
+  }
+  return room;
+}
+
+double depthAt(const SurfaceRays& surface, const Vector3& place, const Vector3& sight)
+{
+  SurfaceHit before, after;
+  for (const SurfaceHit& hit : surface.all({ place, sight }))
+  {
+    if (hit.distance < 0.0)
+    {
+      before = hit; // the last one
+    }
+    else if (!after.found())
+    {
+      after = hit;
+    }
+  }
+  if (!before.found() || !after.found() ||
+      facetNormal(surface.mesh(), before.at.triangle).dot(sight) >= 0.0 ||
+      facetNormal(surface.mesh(), after.at.triangle).dot(sight) <= 0.0)
+  {
+    return 0.0;
+  }
+  return std::max(-before.distance, after.distance);
+}
+
+namespace
+{
+
+struct KnownRays
+{
+  std::mutex mutex;
+  std::vector<std::weak_ptr<const SurfaceRays>> all; // the latest last
+
+  // Rays that somebody holds, the latest first.
+  std::vector<std::shared_ptr<const SurfaceRays>> held()
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    std::vector<std::shared_ptr<const SurfaceRays>> found;
+    for (auto one = this->all.rbegin(); one != this->all.rend(); ++one)
+    {
+      if (auto rays = one->lock())
+      {
+        found.push_back(std::move(rays));
+      }
+    }
+    return found;
+  }
+
+  void add(const std::shared_ptr<const SurfaceRays>& rays)
+  {
+    const std::lock_guard<std::mutex> lock(this->mutex);
+    this->all.erase(
+      std::remove_if(this->all.begin(), this->all.end(), [](const auto& one) { return one.expired(); }),
+      this->all.end());
+    this->all.push_back(rays);
+  }
+};
+
+KnownRays& knownRays()
+{
+  static KnownRays known;
+  return known;
+}
+
+} // namespace
+
+std::shared_ptr<const SurfaceRays> sharedRays(const std::shared_ptr<const Mesh>& mesh, const Context& context)
+{
+  KnownRays& known = knownRays();
+  const std::vector<std::shared_ptr<const SurfaceRays>> held = known.held();
+  for (const auto& rays : held)
+  {
+    if (&rays->mesh() == mesh.get())
+    {
+      return rays;
+    }
+  }
+  std::shared_ptr<const SurfaceRays> made;
+  for (auto rays = held.begin(); rays != held.end() && !made; ++rays)
+  {
+    made = SurfaceRays::after(**rays, mesh, context);
+  }
+  if (!made)
+  {
+    made = std::make_shared<const SurfaceRays>(mesh, context);
+  }
+  known.add(made);
+  return made;
 }
 
 } // namespace oversketch

@@ -41,9 +41,9 @@ public:
   // Takes some 0.3 s and 50 MiB a million triangles. A facet with a point that is not finite is not seen.
   // Throws Error(Failure::Cancelled), and Error(Failure::Unexpected) where Embree cannot take the mesh.
   explicit SurfaceRays(std::shared_ptr<const Mesh> mesh, const Context& context = Context());
-  // The same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a mesh
-  // that comes of theirs by changes here and there; no tree of all of it is built. Null where too much is
-  // different.
+  // Gives the same answers, bit for bit, by the tree of other rays and one of what their mesh has not: for a
+  // mesh that comes of theirs by changes here and there; no tree of all of it is built. Null where too much
+  // is different.
   static std::unique_ptr<const SurfaceRays> after(const SurfaceRays& before,
     std::shared_ptr<const Mesh> mesh,
     const Context& context = Context());
@@ -77,6 +77,20 @@ private:
 // else anew. Held weakly: they go with the last who holds them. Callable from any thread.
 std::shared_ptr<const SurfaceRays> sharedRays(const std::shared_ptr<const Mesh>& mesh,
   const Context& context = Context());
+
+// Lengths from a place of the surface along its normal; infinite where nothing is met.
+struct Room
+{
+  double inward;  // to where the line leaves the solid: how thick that is
+  double outward; // to where it enters a solid: how wide the gap is
+};
+
+// Facets that the line meets from their other side do not count: folds of the surface round the place.
+Room roomAt(const SurfaceRays& surface, const Vector3& place, const Vector3& normal);
+
+// Along a line of sight, from a place within the solid to the farther of both places where the line leaves
+// it; 0 outside. An outline that is drawn through the place has to carry that much away to either side of it.
+double depthAt(const SurfaceRays& surface, const Vector3& place, const Vector3& sight);
 
 } // namespace oversketch
 #endif

@@ -1,11 +1,14 @@
 #include "Region/cut.h"
 
+#include "Region/border.h"
 #include "Region/flow.h"
 #include "Region/grow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace oversketch
 {
@@ -20,7 +23,7 @@ enum Role : char
   Band
 };
 
-// What the cut knows of each triangle.
+// A triangle as the cut sees it.
 struct Facet
 {
   char selected; // corners in the region
@@ -28,10 +31,16 @@ struct Facet
   int node; // in the network; -1 outside the band
 };
 
-double areaOf(const Mesh& mesh, int triangle)
+double medianDiameter(const std::vector<double>& diameter, const std::vector<int>& vertices)
 {
-  const auto [a, b, c] = mesh.triangles[triangle];
-  return 0.5 * (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm();
+  std::vector<double> values;
+  for (const int v : vertices)
+  {
+    values.push_back(diameter[v]);
+  }
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
 }
 
 struct Plane
@@ -56,11 +65,11 @@ void eachNeighbour(const Adjacency& adjacency, int triangle, const Visit& visit)
   {
     if (edge >= 0)
     {
-      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      for (const int t : adjacency.trianglesAt(edge))
       {
-        if (*t != triangle)
+        if (t != triangle)
         {
-          visit(*t);
+          visit(t);
         }
       }
     }
@@ -125,7 +134,7 @@ std::vector<char> minimumCut(const Mesh& mesh,
     if (facet.selected == 0 || facet.selected == 3)
     {
       (facet.selected == 3 ? network.source : network.sink)[facet.node] +=
-        std::round(scale * faithful * areaOf(mesh, t) / width);
+        std::round(scale * faithful * facetArea(mesh, t) / width);
     }
     for (const int e : adjacency.triangleEdges[t])
     {
@@ -251,28 +260,13 @@ std::vector<char> cutAtJunction(const Mesh& mesh,
   const CutOptions& options,
   const Context& context)
 {
-  std::vector<int> border, seeds;
-  std::vector<double> thickness;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (isSeed[v])
-    {
-      seeds.push_back(v);
-    }
-    if (region[v] && std::any_of(adjacency.vertexVertices.begin(v),
-                       adjacency.vertexVertices.end(v),
-                       [&](int n) { return !region[n]; }))
-    {
-      border.push_back(v);
-      thickness.push_back(diameter[v]);
-    }
-  }
+  const std::vector<int> border = borderOf(adjacency, region, true);
+  const std::vector<int> seeds = marked(isSeed);
   if (border.empty())
   {
     return region;
   }
-  std::nth_element(thickness.begin(), thickness.begin() + thickness.size() / 2, thickness.end());
-  const double unit = thickness[thickness.size() / 2];
+  const double unit = medianDiameter(diameter, border);
   const double band = options.band * unit;
   if (!(band > 0.0))
   {
@@ -345,32 +339,18 @@ std::vector<char> cutBridges(const Mesh& mesh,
   double share)
 {
   std::vector<int> outside;
-  std::vector<char> met(region.size(), 0);
-  std::vector<double> thickness;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
+  for (const int v : borderOf(adjacency, region, true))
   {
-    if (isSeed[v])
-    {
-      thickness.push_back(diameter[v]);
-    }
-    if (region[v])
-    {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
-      {
-        if (!region[*n] && !met[*n])
-        {
-          met[*n] = 1;
-          outside.push_back(*n);
-        }
-      }
-    }
+    const Lists::Range around = adjacency.vertexVertices[v];
+    std::copy_if(
+      around.begin(), around.end(), std::back_inserter(outside), [&](int n) { return !region[n]; });
   }
-  if (thickness.empty() || outside.empty())
+  const std::vector<int> seeds = marked(isSeed);
+  if (seeds.empty() || outside.empty())
   {
     return region;
   }
-  std::nth_element(thickness.begin(), thickness.begin() + thickness.size() / 2, thickness.end());
-  const double unit = thickness[thickness.size() / 2];
+  const double unit = medianDiameter(diameter, seeds);
   const std::vector<double> fromOutside = edgeDistances(mesh, adjacency, outside, share * unit);
   std::vector<char> inner(region);
   for (std::size_t v = 0; v < inner.size(); ++v)
@@ -403,6 +383,113 @@ std::vector<char> cutBridges(const Mesh& mesh,
   }
   constexpr double pi = 3.14159265358979323846;
   return lost < pi * unit * unit ? region : kept; // less than a tube as long as thick is a patch, no limb
+}
+
+namespace
+{
+
+constexpr double longestLoop = 1.5; // of the region's longest border
+constexpr int radii = 48;           // that are tried
+
+struct Borders
+{
+  int count = 0;
+  double longest = 0.0;
+  bool closed = true; // all of them
+};
+
+// The lines that run through the triangles with vertices on both sides, from edge to edge.
+Borders bordersOf(const Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& region)
+{
+  Borders borders;
+  std::vector<int> crossed;
+  for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
+  {
+    const MeshEdge& edge = adjacency.edges[e];
+    if (region[edge.v0] != region[edge.v1])
+    {
+      crossed.push_back(e);
+      borders.closed = borders.closed && edge.triangleCount == 2;
+    }
+  }
+  const auto numberOf = [&](int edge)
+  { return static_cast<int>(std::lower_bound(crossed.begin(), crossed.end(), edge) - crossed.begin()); };
+  const auto middle = [&](int e) -> Vector3
+  { return 0.5 * (mesh.points[adjacency.edges[e].v0] + mesh.points[adjacency.edges[e].v1]); };
+  std::vector<int> leader(crossed.size());
+  std::iota(leader.begin(), leader.end(), 0);
+  const auto leads = [&](int i)
+  {
+    while (leader[i] != i)
+    {
+      i = leader[i] = leader[leader[i]];
+    }
+    return i;
+  };
+  std::vector<double> lengths(crossed.size(), 0.0);
+  for (const int edge : crossed)
+  {
+    for (const int t : adjacency.trianglesAt(edge))
+    {
+      for (const int other : adjacency.triangleEdges[t])
+      {
+        const MeshEdge& ends = adjacency.edges[other];
+        if (other <= edge || region[ends.v0] == region[ends.v1])
+        {
+          continue; // a triangle has two of them, the lower one joins the other
+        }
+        const int first = leads(numberOf(edge)), second = leads(numberOf(other));
+        lengths[first] += (middle(edge) - middle(other)).norm() + (first != second ? lengths[second] : 0.0);
+        leader[second] = first;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < leader.size(); ++i)
+  {
+    if (leader[i] == static_cast<int>(i))
+    {
+      ++borders.count;
+      borders.longest = std::max(borders.longest, lengths[i]);
+    }
+  }
+  return borders;
+}
+
+} // namespace
+
+std::vector<char> cutAtFork(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const MeshParts& parts,
+  const std::vector<int>& seeds,
+  const std::vector<char>& region)
+{
+  const Borders whole = bordersOf(mesh, adjacency, region);
+  if (whole.count < 2 || !whole.closed)
+  {
+    return region;
+  }
+  const std::vector<double> distance = edgeDistances(mesh, adjacency, seeds);
+  double farthest = 0.0;
+  for (std::size_t v = 0; v < region.size(); ++v)
+  {
+    farthest = region[v] && std::isfinite(distance[v]) ? std::max(farthest, distance[v]) : farthest;
+  }
+  for (int step = radii - 1; step > 0; --step)
+  {
+    const double radius = farthest * step / radii;
+    std::vector<char> near(region);
+    for (std::size_t v = 0; v < near.size(); ++v)
+    {
+      near[v] = region[v] && distance[v] <= radius;
+    }
+    fillIslands(parts, adjacency, near);
+    const Borders borders = bordersOf(mesh, adjacency, near);
+    if (borders.count == 1 && borders.longest <= longestLoop * whole.longest)
+    {
+      return near;
+    }
+  }
+  return region;
 }
 
 } // namespace oversketch

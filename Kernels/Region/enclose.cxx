@@ -92,12 +92,12 @@ void grow(const Adjacency& adjacency,
       {
         continue;
       }
-      for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+      for (const int t : adjacency.trianglesAt(edge))
       {
-        if (faces[*t] == 0)
+        if (faces[t] == 0)
         {
-          faces[*t] = 2;
-          front.push_back(*t);
+          faces[t] = 2;
+          front.push_back(t);
         }
       }
     }
@@ -135,17 +135,13 @@ bool hasNextToIt(const Mesh& mesh,
   {
     for (const int edge : adjacency.triangleEdges[front[i]])
     {
-      for (const int* t = edge < 0 ? nullptr : adjacency.trianglesBegin(edge);
-           t && t != adjacency.trianglesEnd(edge);
-           ++t)
+      for (const int t : edge < 0 ? Lists::Range() : adjacency.trianglesAt(edge))
       {
-        if (reached[*t] == 0)
+        if (reached[t] == 0)
         {
-          const Triangle& c = mesh.triangles[*t];
-          const Vector3& p = mesh.points[c[0]];
-          found += faces[*t] == 2 ? 0.0 : 0.5 * (mesh.points[c[1]] - p).cross(mesh.points[c[2]] - p).norm();
-          reached[*t] = 1;
-          front.push_back(*t);
+          found += faces[t] == 2 ? 0.0 : facetArea(mesh, t);
+          reached[t] = 1;
+          front.push_back(t);
         }
       }
     }
@@ -161,7 +157,7 @@ void requireRoomOutside(const Mesh& mesh,
 {
   const std::vector<double> areas = vertexAreas(inside);
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-  // Of a small region that is seen without a look at the whole mesh.
+  // A small region shows it without a look at the whole mesh.
   if (area > 0.0 && std::isfinite(area) &&
       hasNextToIt(mesh, adjacency, faces, seed, 1.01 * area * (1.0 - largestShare) / largestShare))
   {

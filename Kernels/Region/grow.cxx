@@ -1,8 +1,7 @@
 #include "Region/grow.h"
 
+#include "Region/border.h"
 #include "Region/cut.h"
-#include "Region/fork.h"
-#include "Region/reach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,12 +40,12 @@ Pieces piecesOf(const Adjacency& adjacency, const std::vector<char>& label, char
     {
       const int v = open.back();
       open.pop_back();
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        if (pieces.of[*n] < 0 && label[*n] == which)
+        if (pieces.of[n] < 0 && label[n] == which)
         {
-          pieces.of[*n] = piece;
-          open.push_back(*n);
+          pieces.of[n] = piece;
+          open.push_back(n);
         }
       }
     }
@@ -145,14 +144,12 @@ private:
         continue;
       }
       this->RestAreas[this->Parts.of[v]] -= this->Parts.areas[v];
-      for (const int* n = this->Neighbours.vertexVertices.begin(v);
-           n != this->Neighbours.vertexVertices.end(v);
-           ++n)
+      for (const int n : this->Neighbours.vertexVertices[v])
       {
-        if (!this->Grown[*n] && !inRing[*n])
+        if (!this->Grown[n] && !inRing[n])
         {
-          inRing[*n] = 1;
-          ring.push_back(*n);
+          inRing[n] = 1;
+          ring.push_back(n);
         }
       }
     }
@@ -173,14 +170,12 @@ private:
       for (std::size_t i = 0; i < vertices.size(); ++i)
       {
         const int v = vertices[i];
-        for (const int* n = this->Neighbours.vertexVertices.begin(v);
-             n != this->Neighbours.vertexVertices.end(v);
-             ++n)
+        for (const int n : this->Neighbours.vertexVertices[v])
         {
-          if (inRing[*n] && this->FloodOf[*n] < 0)
+          if (inRing[n] && this->FloodOf[n] < 0)
           {
-            this->FloodOf[*n] = id;
-            vertices.push_back(*n);
+            this->FloodOf[n] = id;
+            vertices.push_back(n);
           }
         }
       }
@@ -211,20 +206,19 @@ private:
       return;
     }
     const int v = this->Floods[id].vertices[this->Floods[id].next++];
-    for (const int* n = this->Neighbours.vertexVertices.begin(v); n != this->Neighbours.vertexVertices.end(v);
-         ++n)
+    for (const int n : this->Neighbours.vertexVertices[v])
     {
-      if (this->Grown[*n])
+      if (this->Grown[n])
       {
         continue;
       }
-      if (this->FloodOf[*n] < 0)
+      if (this->FloodOf[n] < 0)
       {
-        this->FloodOf[*n] = id;
-        this->Floods[id].vertices.push_back(*n);
+        this->FloodOf[n] = id;
+        this->Floods[id].vertices.push_back(n);
         continue;
       }
-      const int mine = this->leader(id), other = this->leader(this->FloodOf[*n]);
+      const int mine = this->leader(id), other = this->leader(this->FloodOf[n]);
       if (mine != other)
       {
         // A piece that has been walked to its end meets nobody, so both are open.
@@ -255,11 +249,10 @@ private:
 std::vector<double> vertexAreas(const Mesh& mesh)
 {
   std::vector<double> areas(mesh.points.size(), 0.0);
-  for (const Triangle& t : mesh.triangles)
+  for (int t = 0; t < mesh.triangleCount(); ++t)
   {
-    const double area =
-      0.5 * (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]).norm();
-    for (int v : t)
+    const double area = facetArea(mesh, t);
+    for (int v : mesh.triangles[t])
     {
       areas[v] += area / 3.0;
     }
@@ -278,12 +271,12 @@ std::vector<char> growRegion(const Adjacency& adjacency,
   std::vector<char> queued(ratio.size(), 0);
   const auto queueNeighbours = [&](int v)
   {
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      if (!region[*n] && !queued[*n] && (allowed.empty() || allowed[*n]))
+      if (!region[n] && !queued[n] && (allowed.empty() || allowed[n]))
       {
-        queued[*n] = 1;
-        queue.push_back(*n);
+        queued[n] = 1;
+        queue.push_back(n);
       }
     }
   };
@@ -301,9 +294,9 @@ std::vector<char> growRegion(const Adjacency& adjacency,
     queue.pop_front();
     queued[v] = 0;
     int selected = 0;
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      selected += region[*n];
+      selected += region[n];
     }
     const int unselected = adjacency.vertexVertices.size(v) - selected;
     if (ratio[v] > lambda * (unselected - selected))
@@ -319,19 +312,16 @@ MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context&
 {
   Pieces pieces;
   std::vector<double> areas;
-  context.parallelFor(2,
-    [&](int begin, int end)
+  context.each(2,
+    [&](int which)
     {
-      for (int which = begin; which < end; ++which)
+      if (which == 0)
       {
-        if (which == 0)
-        {
-          pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
-        }
-        else
-        {
-          areas = vertexAreas(mesh);
-        }
+        pieces = piecesOf(adjacency, std::vector<char>(mesh.points.size(), 0), 0);
+      }
+      else
+      {
+        areas = vertexAreas(mesh);
       }
     });
   MeshParts parts{ std::move(areas), std::move(pieces.of), pieces.count, {} };
@@ -430,32 +420,14 @@ std::vector<int> expandSeeds(const Mesh& mesh,
   return expanded;
 }
 
-// Of the area of a model; what is larger is its body, or a good part of it.
+// Share of a model's area; what is larger is its body, or a good part of it.
 constexpr double largestLimb = 0.2;
 
 // Whether all of the part that a vertex is of lies within two rings round it: then no stroke, however short,
 // leaves anything of it.
 bool isWithinTwoRings(const Adjacency& adjacency, const MeshParts& parts, int vertex)
 {
-  std::vector<char> near(parts.of.size(), 0);
-  near[vertex] = 1;
-  std::vector<int> ring{ vertex };
-  for (int i = 0; i < 2; ++i)
-  {
-    std::vector<int> next;
-    for (int v : ring)
-    {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
-      {
-        if (!near[*n])
-        {
-          near[*n] = 1;
-          next.push_back(*n);
-        }
-      }
-    }
-    ring = std::move(next);
-  }
+  const std::vector<char> near = withinRings(adjacency, { vertex }, 2);
   return std::count(near.begin(), near.end(), 1) ==
          std::count(parts.of.begin(), parts.of.end(), parts.of[vertex]);
 }

@@ -14,7 +14,7 @@ namespace oversketch
 // Area of the mesh that belongs to each vertex: a third of its triangles'.
 std::vector<double> vertexAreas(const Mesh& mesh);
 
-// What regions need of a mesh alone: kept with it, so that a new stroke does not walk over all of it.
+// Parts of a mesh that regions need: kept with it, so that a new stroke does not walk over all of it.
 struct MeshParts
 {
   std::vector<double> areas; // see vertexAreas
@@ -60,7 +60,7 @@ struct RegionOptions
   double shift = 0.0; // the border's, after all that, outwards where positive [model length]
 };
 
-// What region detection reads besides the mesh.
+// Input of region detection besides the mesh.
 struct RegionEvidence
 {
   std::vector<int> seeds;       // ascending

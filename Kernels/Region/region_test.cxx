@@ -1,8 +1,7 @@
 #include "Harness/shapes.h"
+#include "Region/border.h"
 #include "Region/cut.h"
-#include "Region/fork.h"
 #include "Region/grow.h"
-#include "Region/reach.h"
 
 #include <gtest/gtest.h>
 
@@ -346,12 +345,12 @@ TEST(Region, IslandsAreFoundFromTheRegionAsFromTheWhole)
           const int v = stack.back();
           stack.pop_back();
           area.back() += parts.areas[v];
-          for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+          for (const int n : adjacency.vertexVertices[v])
           {
-            if (!region[*n] && piece[*n] < 0)
+            if (!region[n] && piece[n] < 0)
             {
-              piece[*n] = piece[start];
-              stack.push_back(*n);
+              piece[n] = piece[start];
+              stack.push_back(n);
             }
           }
         }

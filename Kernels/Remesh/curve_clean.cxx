@@ -114,8 +114,7 @@ private:
         found.insert(found.end(), this->Mesh.around(v).begin(), this->Mesh.around(v).end());
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sortUnique(found);
     return found;
   }
 
@@ -151,16 +150,10 @@ private:
     return true;
   }
 
-  bool runsAlong(int t, int a, int b) const
-  {
-    const Triangle& c = this->Mesh.triangle(t);
-    return (c[0] == a && c[1] == b) || (c[1] == a && c[2] == b) || (c[2] == a && c[0] == b);
-  }
-
   // Whether two triangles run along their edge in opposite directions.
   bool woundAlike(int t, int u, int a, int b) const
   {
-    return this->runsAlong(t, a, b) != this->runsAlong(u, a, b);
+    return runsAlong(this->Mesh.triangle(t), a, b) != runsAlong(this->Mesh.triangle(u), a, b);
   }
 
   // An edge between two triangles that are wound alike and meet at no more than 25 degrees.
@@ -189,7 +182,7 @@ private:
     // A needle has no normal to speak of, so both together count.
     const Vector3 whole = before[0] + before[1];
     Vector3 first = (pd - pa).cross(pc - pa), second = (pc - pb).cross(pd - pb);
-    if (!this->runsAlong(both[0], a, b))
+    if (!runsAlong(this->Mesh.triangle(both[0]), a, b))
     {
       first = -first;
       second = -second;

@@ -59,8 +59,7 @@ std::vector<int> CurveMesh::trianglesAt(int a, int b) const
   std::vector<int> found;
   for (const int t : this->around(a))
   {
-    const Triangle& corners = this->Triangles[t];
-    if (std::find(corners.begin(), corners.end(), b) != corners.end())
+    if (cornerOf(this->Triangles[t], b) >= 0)
     {
       found.push_back(t);
     }
@@ -72,13 +71,8 @@ std::vector<int> CurveMesh::trianglesAt(int a, int b) const
 bool CurveMesh::joined(int a, int b) const
 {
   const std::vector<int>& around = this->around(a);
-  return std::any_of(around.begin(),
-    around.end(),
-    [&](int t)
-    {
-      const Triangle& corners = this->Triangles[t];
-      return std::find(corners.begin(), corners.end(), b) != corners.end();
-    });
+  return std::any_of(
+    around.begin(), around.end(), [&](int t) { return cornerOf(this->Triangles[t], b) >= 0; });
 }
 
 std::vector<int> CurveMesh::neighbours(int v) const
@@ -94,8 +88,7 @@ std::vector<int> CurveMesh::neighbours(int v) const
       }
     }
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   return found;
 }
 

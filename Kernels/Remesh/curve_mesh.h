@@ -4,7 +4,7 @@
 #define oversketch_kernels_remesh_curve_mesh_h
 
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include <unordered_map>
 #include <vector>
@@ -38,7 +38,7 @@ public:
   const std::vector<int>& around(int v) const; // triangles, in no order
   double diagonal() const { return this->Diagonal; }
   bool inserted(int v) const { return v >= this->InputCount; }
-  // Of no triangle from the start.
+  // Whether a vertex was of no triangle from the start.
   bool loose(int v) const { return !this->inserted(v) && this->InputAround.size(v) == 0; }
   bool alive(int t) const { return this->Triangles[t][0] >= 0; }
 
@@ -85,7 +85,8 @@ private:
   std::vector<Vector3> Points;
   std::vector<Triangle> Triangles; // -1 for those that are gone
   Lists InputAround;
-  // Of inserted vertices, and of those of the input that were asked for: a curve comes to few of them.
+  // Triangles of inserted vertices, and of those of the input that were asked for: a curve comes to few of
+  // them.
   mutable std::unordered_map<int, std::vector<int>> Around;
   std::vector<Mix> Origins; // of inserted vertices
   std::vector<int> Sources;
@@ -94,7 +95,7 @@ private:
   double Diagonal;
 };
 
-// What lies between two visits of a vertex goes, of a closed path the shorter part.
+// Cuts out what lies between two visits of a vertex, of a closed path the shorter part.
 void cutLoops(MeshCurve& path, const CurveMesh& mesh);
 
 } // namespace oversketch

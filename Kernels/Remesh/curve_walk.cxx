@@ -70,15 +70,9 @@ private:
 
   bool arrives() const
   {
-    for (const int t : this->trianglesHere())
-    {
-      const Triangle& corners = this->Mesh.triangle(t);
-      if (std::find(corners.begin(), corners.end(), this->To) != corners.end())
-      {
-        return true;
-      }
-    }
-    return false;
+    const std::vector<int> here = this->trianglesHere();
+    return std::any_of(
+      here.begin(), here.end(), [&](int t) { return cornerOf(this->Mesh.triangle(t), this->To) >= 0; });
   }
 
   void turnPlane()
@@ -216,8 +210,7 @@ private:
   {
     for (const int t : this->Mesh.trianglesAt(other.a, other.b))
     {
-      const Triangle& corners = this->Mesh.triangle(t);
-      const auto has = [&](int v) { return std::find(corners.begin(), corners.end(), v) != corners.end(); };
+      const auto has = [&](int v) { return cornerOf(this->Mesh.triangle(t), v) >= 0; };
       if (has(one.a) && (one.b < 0 || has(one.b)))
       {
         return t;

@@ -187,8 +187,8 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
     std::sort(this->triangles.begin() + begin, this->triangles.begin() + offsets[cell], earlier);
   }
   // Vertices as the triangles meet them.
-  this->active = taken(wholeActive, this->triangles);
-  this->mesh.triangles = taken(whole.triangles, this->triangles);
+  this->active = valuesAt(wholeActive, this->triangles);
+  this->mesh.triangles = valuesAt(whole.triangles, this->triangles);
   for (Triangle& t : this->mesh.triangles)
   {
     for (int& v : t)
@@ -201,7 +201,7 @@ Cutout::Cutout(const Mesh& whole, const std::vector<char>& wholeActive)
       v = this->vertexOf[v];
     }
   }
-  this->mesh.points = taken(whole.points, this->vertices);
+  this->mesh.points = valuesAt(whole.points, this->vertices);
 }
 
 } // namespace oversketch

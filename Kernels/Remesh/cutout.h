@@ -20,18 +20,6 @@ struct Cutout
   std::vector<int> vertexOf;            // per vertex of the whole mesh: its id here, or -1
 
   Cutout(const Mesh& whole, const std::vector<char>& wholeActive);
-
-  // One value per vertex or triangle (`ids`: one of the two above) of the whole mesh; empty stays empty.
-  template <typename Value>
-  static std::vector<Value> taken(const std::vector<Value>& values, const std::vector<int>& ids)
-  {
-    std::vector<Value> result(values.empty() ? 0 : ids.size());
-    for (std::size_t i = 0; i < result.size(); ++i)
-    {
-      result[i] = values[ids[i]];
-    }
-    return result;
-  }
 };
 
 } // namespace oversketch

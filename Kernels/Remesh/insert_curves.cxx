@@ -1,6 +1,5 @@
 #include "Remesh/insert_curves.h"
 
-#include "Mesh/pixel.h"
 #include "Remesh/curve_walk.h"
 
 #include <algorithm>
@@ -79,8 +78,7 @@ public:
       SurfacePoint place{ t, { 0.0, 0.0, 0.0 } };
       for (const auto& [corner, weight] : this->Mesh.origin(v))
       {
-        const Triangle& corners = this->Input.triangles[t];
-        place.weights[std::find(corners.begin(), corners.end(), corner) - corners.begin()] = weight;
+        place.weights[cornerOf(this->Input.triangles[t], corner)] = weight;
       }
       run.places.push_back(place);
     }

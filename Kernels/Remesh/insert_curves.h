@@ -3,7 +3,6 @@
 #define oversketch_kernels_remesh_insert_curves_h
 
 #include "Mesh/context.h"
-#include "Mesh/mix.h"
 #include "Mesh/place.h"
 #include "Mesh/view.h"
 #include "Remesh/curve_mesh.h"
@@ -29,12 +28,13 @@ struct NewCurve
   const View* view = nullptr; // that it was drawn in
 };
 
+// As published snap and clean are off, and join is on in place of bridge.
 struct InsertRules
 {
-  bool snap = true;   // to vertices and edges that are near; off as published
+  bool snap = true;   // to vertices and edges that are near
   bool embed = true;  // segments become edges
   bool bridge = true; // what misses or is hidden is walked over; off: a closed curve with gaps is refused
-  bool clean = true;  // narrow triangles at the curves; off as published
+  bool clean = true;  // narrow triangles at the curves
   enum class Gap
   {
     Viewer, // in the plane through the eye off from the viewer, then on as the curve comes
@@ -42,7 +42,7 @@ struct InsertRules
     Across  // as Onward, in the plane across the first stored curve: round the limb that this lies along
   };
   Gap gap = Gap::Viewer; // what is tried first over a gap
-  bool join = false;     // without bridges, as published: runs are joined by segments like all others
+  bool join = false;     // without bridges: runs are joined by segments like all others
 };
 
 struct InsertedCurves

@@ -1,6 +1,6 @@
 // The moves of incremental remeshing that change connectivity, and the tests that keep them safe.
 #include "Mesh/nearest.h"
-#include "Remesh/shape.h"
+#include "Remesh/patch.h"
 
 namespace oversketch
 {
@@ -207,7 +207,7 @@ bool Patch::middleOf(int h, SurfacePoint& result, bool& straight) const
          largestOffset * (this->Points[a] - this->Points[b]).squaredNorm();
 }
 
-// Of an edge between two triangles with a vertex put there: the halves at its ends of the first, then of the
+// Halves that a vertex on an edge makes of its two triangles: at the edge's ends of the first, then of the
 // second.
 Patch::Halves Patch::halvesAt(int h, const Vector3& p) const
 {

@@ -1,4 +1,4 @@
-// The passes of incremental remeshing: one kind of move over all edges of a patch.
+// The passes of incremental remeshing: one kind of move over all edges of a patch, and folds taken out.
 #ifndef oversketch_kernels_remesh_passes_h
 #define oversketch_kernels_remesh_passes_h
 
@@ -86,8 +86,14 @@ int flipByAngle(Patch& patch, std::vector<int>& queue, const Allowed& allowed, c
   }
   return made;
 }
-// Of all edges.
+// Begins with all edges.
 int flipByAngle(Patch& patch, Steps& steps);
+
+// Moves vertices at folded edges (normals over 100 degrees apart) towards the mean of their neighbours where
+// less is folded round them then and no triangle becomes a needle; one after the other, in rounds, until none
+// helps. A vertex on the border of the patch or of a chart stays; places on the surface stay, too. Where
+// nothing is folded nothing moves.
+void unfold(Patch& patch, const Context& context);
 
 } // namespace oversketch
 #endif

@@ -11,9 +11,11 @@
 #ifndef oversketch_kernels_remesh_patch_h
 #define oversketch_kernels_remesh_patch_h
 
+#include "Mesh/shape.h"
 #include "Remesh/surface.h"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace oversketch
@@ -25,6 +27,39 @@ inline bool folded(const Vector3& a, const Vector3& b)
   constexpr double limit = 0.030153690; // square of the cosine of 100 degrees
   const double dot = a.dot(b);
   return dot < 0.0 && dot * dot > limit * (a.squaredNorm() * b.squaredNorm());
+}
+
+// A normal, given by vectors along it, turned by more than 60 degrees: too much for one move, and for an edge
+// to be flipped.
+inline bool turned(const Vector3& before, const Vector3& after)
+{
+  constexpr double limit = 0.25; // square of the cosine
+  const double dot = before.dot(after);
+  return dot < 0.0 || dot * dot < limit * (before.squaredNorm() * after.squaredNorm());
+}
+
+// How sharply folded an edge is: one over 100 degrees weighs more than all edges over 90 together, so that no
+// move trades the latter for the former.
+inline int foldWeight(const Vector3& a, const Vector3& b)
+{
+  return a.dot(b) < 0.0 ? (folded(a, b) ? 1001 : 1) : 0;
+}
+
+constexpr double calmCosine = 0.9743701; // of 13 degrees
+// How much more a move may let the surface turn, in target lengths: as an edge that turns by 32 in place of
+// 30 degrees. Without it rows of narrow triangles along a ridge stay for ever.
+constexpr double turnSlack = 0.02;
+
+// How much an edge of this length turns the surface more than 13 degrees; the triangles are given by vectors
+// along their normals. Grows with the square of the angle: the same turn spread over more edges weighs less.
+inline double turnWeight(const Vector3& a, const Vector3& b, double length)
+{
+  const double dot = a.dot(b), squared = a.squaredNorm() * b.squaredNorm();
+  if (!(squared > 0.0) || (dot > 0.0 && dot * dot >= calmCosine * calmCosine * squared))
+  {
+    return 0.0;
+  }
+  return length * (calmCosine - dot / std::sqrt(squared));
 }
 
 class Patch
@@ -101,7 +136,7 @@ public:
   // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
   // halves). neighbours: vertices it is joined to, -1 fill.
   int split(int h, std::array<int, 4>& neighbours);
-  // The same without a question, of an edge between two triangles with other corners each: puts the vertex at
+  // Splits without a question an edge between two triangles with other corners each: puts the vertex at
   // this place of the surface, and to this position, which need not be on it.
   int halve(int h, const SurfacePoint& place, const Vector3& position, std::array<int, 4>& neighbours);
   // Whether that leaves more folded edges than there are.
@@ -173,7 +208,7 @@ private:
   std::vector<int> Twin; // as Surface::twins()
   std::vector<char> Kept;
   std::vector<std::array<int, 3>> KeptSplits;
-  // Of a collapse in progress, kept for their memory.
+  // State of a collapse in progress, kept for its memory.
   std::vector<int> Spokes, Ring;
   std::vector<Vector3> Before, After;
 };

@@ -19,7 +19,7 @@ std::pair<int, int> ends(int a, int b)
   return std::minmax(a, b);
 }
 
-// What came between two vertices of a curve, without either, in their order.
+// Adds what came between two vertices of a curve, without either, in their order.
 void addBetween(const Between& between,
   const HeldVertex& a,
   const HeldVertex& b,
@@ -78,14 +78,7 @@ private:
   std::vector<Value> each(int count, const Make& make) const
   {
     std::vector<Value> values(static_cast<std::size_t>(count));
-    this->Caller.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          values[i] = make(i);
-        }
-      });
+    this->Caller.each(count, [&](int i) { values[i] = make(i); });
     return values;
   }
 
@@ -138,7 +131,7 @@ private:
     return !this->Area.aliveVertex(own) || (own < this->cutVertices() && this->isOfBase(own));
   }
 
-  // Of a vertex of the stage's mesh, `share` of it.
+  // Adds `share` of a vertex of the stage's mesh.
   void addOrigin(int base, double share, Mix& mix) const
   {
     if (base < this->cutVertices())
@@ -177,7 +170,7 @@ private:
     return normalisedMix(std::move(mix));
   }
 
-  // Of a vertex of the stage's mesh, and of the patch, in the cut-out.
+  // The place of a vertex of the stage's mesh in the cut-out.
   Vector3 baseAtRest(int base) const
   {
     return base < this->cutVertices()

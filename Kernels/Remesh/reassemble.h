@@ -12,7 +12,7 @@
 namespace oversketch
 {
 
-// What keeps its place in a cut-out: vertices that the edit does not move, and the curves.
+// Parts of a cut-out that keep their places: vertices that the edit does not move, and the curves.
 struct Held
 {
   std::vector<int> vertices;
@@ -34,7 +34,7 @@ std::vector<std::vector<HeldVertex>> heldCurves(const Cutout& cutout,
   const RetriangulateInput& input,
   const std::vector<std::array<int, 3>>& splits);
 
-// What a patch was made of: a mesh that has the cut-out's vertices and triangles first.
+// The mesh that a patch was made of, which has the cut-out's vertices and triangles first.
 struct Stage
 {
   const Mesh& mesh;

@@ -62,7 +62,7 @@ std::vector<Segment> segmentsOf(const std::vector<RunOnMesh>& runs)
   return segments;
 }
 
-// Of the nearest segment: distance, its number and the place on it.
+// The nearest segment: distance, its number and the place on it.
 std::tuple<double, std::size_t, double> nearestOf(const std::vector<Segment>& segments, const Vector3& p)
 {
   double least = std::numeric_limits<double>::infinity(), at = 0.0;
@@ -89,8 +89,7 @@ std::vector<int> passed(const std::vector<RunOnMesh>& runs)
   {
     found.insert(found.end(), run.triangles.begin(), run.triangles.end());
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   return found;
 }
 
@@ -314,7 +313,7 @@ private:
     bool operator==(const Edge& other) const { return this->a == other.a && this->b == other.b; }
   };
 
-  // Of equal ones the edge of the lowest vertices, so that both of its triangles choose alike.
+  // Takes of equal ones the edge of the lowest vertices, so that both of its triangles choose alike.
   Edge longestOf(int t) const
   {
     const Triangle& c = this->Mesh.triangle(t);
@@ -431,7 +430,7 @@ private:
   int Splits = 0;
 };
 
-// Those of the curves that are too long, where they are more than odd ones of either curve.
+// Triangles along the curves that are too long, where they are more than odd ones of either curve.
 std::vector<int> asked(const RefineInput& input, const Scale& scale)
 {
   std::vector<int> asking;

@@ -4,7 +4,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include <optional>
 #include <vector>

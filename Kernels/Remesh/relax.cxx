@@ -1,7 +1,7 @@
 #include "Remesh/relax.h"
 
 #include "Mesh/nearest.h"
-#include "Remesh/shape.h"
+#include "Remesh/patch.h"
 
 namespace oversketch
 {
@@ -229,19 +229,7 @@ void Relaxation::settle()
 {
   const int count = this->Area.vertexCount();
   this->parallel(count, [this](int v) { this->Unsafe[v] = this->Moves[v] && !this->safe(v) ? 1 : 0; });
-  std::vector<int> back, triangles, around;
-  for (int v = 0; v < count; ++v)
-  {
-    if (this->Unsafe[v])
-    {
-      back.push_back(v);
-    }
-  }
-  const auto unique = [](std::vector<int>& ids)
-  {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  };
+  std::vector<int> back = marked(this->Unsafe), triangles, around;
   while (!back.empty() && !this->Caller.cancelled())
   {
     triangles.clear();
@@ -252,7 +240,7 @@ void Relaxation::settle()
       this->Points[v] = this->Area.Points[v];
       this->eachSpoke(v, [&](int h) { triangles.push_back(h / 3); });
     }
-    unique(triangles);
+    sortUnique(triangles);
     const std::size_t changed = triangles.size();
     for (std::size_t i = 0; i < changed; ++i)
     {
@@ -266,14 +254,14 @@ void Relaxation::settle()
         }
       }
     }
-    unique(triangles);
+    sortUnique(triangles);
     for (const int t : triangles)
     {
       this->seeFolds(t);
       const Triangle c = this->Area.triangle(t);
       around.insert(around.end(), c.begin(), c.end());
     }
-    unique(around);
+    sortUnique(around);
     back.clear();
     for (const int v : around)
     {

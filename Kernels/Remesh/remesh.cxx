@@ -4,7 +4,6 @@
 #include "Remesh/passes.h"
 #include "Remesh/relax.h"
 #include "Remesh/sizing.h"
-#include "Remesh/unfold.h"
 
 #include <algorithm>
 #include <cmath>
@@ -183,16 +182,13 @@ private:
     source.resize(outside + order.size());
     mesh.triangles.resize(outside + order.size());
     this->Result.insideCorners.resize(order.size());
-    context.parallelFor(outside,
-      [&](int begin, int end)
+    context.each(outside,
+      [&](int i)
       {
-        for (int i = begin; i < end; ++i)
-        {
-          const Triangle& c = this->Input.mesh.triangles[source[i]];
-          mesh.triangles[i] = {
-            this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]]
-          };
-        }
+        const Triangle& c = this->Input.mesh.triangles[source[i]];
+        mesh.triangles[i] = {
+          this->OutputOfInput[c[0]], this->OutputOfInput[c[1]], this->OutputOfInput[c[2]]
+        };
       });
     context.parallelFor(count,
       [&](int begin, int end)
@@ -312,8 +308,8 @@ RemeshResult remesh(const RemeshInput& input, const Context& context)
 {
   const std::vector<char> active = regionTriangles(input.mesh, input.region);
   const Cutout cutout(input.mesh, active);
-  const std::vector<int> charts = Cutout::taken(input.charts, cutout.triangles);
-  const std::vector<double> targets = Cutout::taken(input.targets, cutout.vertices);
+  const std::vector<int> charts = valuesAt(input.charts, cutout.triangles);
+  const std::vector<double> targets = valuesAt(input.targets, cutout.vertices);
   const Surface surface(cutout.mesh, cutout.active, charts);
   std::vector<int> vertices;
   std::vector<std::array<int, 2>> edges;

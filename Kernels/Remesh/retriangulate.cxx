@@ -14,6 +14,7 @@
 
 namespace oversketch
 {
+
 namespace
 {
 
@@ -50,7 +51,7 @@ void requireMeanEdge(const RetriangulateInput& input)
   }
 }
 
-// What a stretched region would take to be covered, before it is tried: there would be no end of it.
+// Refuses what a stretched region would take to be covered, before it is tried: there would be no end of it.
 void requireBounded(const Mesh& moved, const std::vector<char>& active, const std::vector<double>& sizes)
 {
   double before = 0.0, wanted = 0.0;
@@ -84,9 +85,9 @@ double largestCurvature(const Mesh& mesh, const Adjacency& adjacency, int v, con
   Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
   Vector3 sums = Vector3::Zero();
   double largest = 0.0;
-  for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+  for (const int n : adjacency.vertexVertices[v])
   {
-    const Vector3 edge = mesh.points[*n] - mesh.points[v];
+    const Vector3 edge = mesh.points[n] - mesh.points[v];
     const Vector2 flat(side.dot(edge), other.dot(edge));
     if (!(flat.squaredNorm() > 0.0))
     {
@@ -114,15 +115,12 @@ std::vector<double> curvatureSizes(const Mesh& mesh, double meanEdge, const Cont
   const Adjacency adjacency = buildAdjacency(mesh);
   const std::vector<Vector3> normals = vertexNormals(mesh);
   std::vector<double> sizes(mesh.points.size());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        const double bend =
-          normals[v] == Vector3::Zero() ? 0.0 : largestCurvature(mesh, adjacency, v, normals[v]) * meanEdge;
-        sizes[v] = meanEdge * (bend > 0.0 ? std::clamp(roundEdge / bend, finest, coarsest) : coarsest);
-      }
+      const double bend =
+        normals[v] == Vector3::Zero() ? 0.0 : largestCurvature(mesh, adjacency, v, normals[v]) * meanEdge;
+      sizes[v] = meanEdge * (bend > 0.0 ? std::clamp(roundEdge / bend, finest, coarsest) : coarsest);
     });
   return sizes;
 }
@@ -167,23 +165,20 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 }
 
 Retriangulated retriangulateEdit(const RetriangulateInput& input,
-  const Movement& movement,
-  const std::vector<double>& values,
-  int channels,
+  const Motion& motion,
   const Context& context)
 {
   requireMeanEdge(input);
   const Cutout cutout(input.rest, facesInside(input));
-  requireBounded({ Cutout::taken(input.moved, cutout.vertices), cutout.mesh.triangles },
-    cutout.active,
-    sizesIn(cutout, input));
+  requireBounded(
+    { valuesAt(input.moved, cutout.vertices), cutout.mesh.triangles }, cutout.active, sizesIn(cutout, input));
   const std::vector<int> oneChart;
   const Surface rest(cutout.mesh, cutout.active, oneChart);
   Held held = heldIn(cutout, input);
   Steps steps{ context };
   steps.each = 1.0 / (Splitting::rounds + 4.0 * remeshRounds + 2.0);
   Retriangulated counts;
-  Splitting splitting(input, cutout, rest, held, movement, values, channels);
+  Splitting splitting(input, cutout, rest, held, motion);
   splitting.run(steps, counts);
   const Patch& split = splitting.patch();
   const std::vector<char>& touched = splitting.touched();
@@ -244,6 +239,91 @@ Retriangulated retriangulateEdit(const RetriangulateInput& input,
   result.collapses = counts.collapses;
   result.flips = counts.flips;
   return result;
+}
+
+namespace
+{
+
+// How the displacement changes from a vertex on along the surface.
+Eigen::Matrix3d slopeAt(const Mesh& rest,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& moved,
+  const Vector3& normal,
+  int v)
+{
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero(), products = Eigen::Matrix3d::Zero();
+  const Vector3 own = moved[v] - rest.points[v];
+  for (const int n : adjacency.vertexVertices[v])
+  {
+    const Vector3 edge = rest.points[n] - rest.points[v];
+    const Vector3 along = edge - normal * normal.dot(edge);
+    const Vector3 change = moved[n] - rest.points[n] - own;
+    squares += along * along.transpose();
+    products += change * along.transpose();
+  }
+  // Across the surface nothing is known, and nothing changes.
+  squares += 0.5 * squares.trace() * normal * normal.transpose();
+  Eigen::Matrix3d inverse;
+  bool isInvertible = false;
+  squares.computeInverseWithCheck(inverse, isInvertible, 1e-12 * std::pow(squares.trace(), 3));
+  return isInvertible ? Eigen::Matrix3d(products * inverse) : Eigen::Matrix3d::Zero();
+}
+
+} // namespace
+
+Motion motionBetween(const Mesh& rest,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& moved,
+  const Context& context)
+{
+  constexpr std::size_t channels = 15;
+  Motion motion;
+  motion.channels = channels;
+  motion.values.resize(channels * rest.points.size(), 0.0);
+  // Elsewhere there is no displacement, and no slope of it.
+  std::vector<char> concerned(rest.points.size(), 0);
+  for (int v = 0; v < rest.vertexCount(); ++v)
+  {
+    if (moved[v] != rest.points[v])
+    {
+      concerned[v] = 1;
+      for (const int n : adjacency.vertexVertices[v])
+      {
+        concerned[n] = 1;
+      }
+    }
+  }
+  context.each(rest.vertexCount(),
+    [&](int v)
+    {
+      if (!concerned[v])
+      {
+        return;
+      }
+      double* values = motion.values.data() + channels * static_cast<std::size_t>(v);
+      const Vector3 own = moved[v] - rest.points[v];
+      const Eigen::Matrix3d slope =
+        slopeAt(rest, adjacency, moved, vertexNormal(rest, adjacency.vertexTriangles, v), v);
+      const Vector3 atOrigin = own - slope * rest.points[v];
+      std::copy_n(own.data(), 3, values);
+      std::copy_n(atOrigin.data(), 3, values + 3);
+      std::copy_n(slope.data(), 9, values + 6);
+    });
+  motion.movement = [](const std::vector<Vector3>& points, const std::vector<double>& values)
+  {
+    std::vector<Vector3> result;
+    result.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const double* at = values.data() + channels * i;
+      const Eigen::Map<const Vector3> flat(at), atOrigin(at + 3);
+      const Eigen::Map<const Eigen::Matrix3d> slope(at + 6);
+      const Vector3 expected = atOrigin + slope * points[i];
+      result.emplace_back(points[i] + 0.5 * flat + 0.5 * expected);
+    }
+    return result;
+  };
+  return motion;
 }
 
 } // namespace oversketch

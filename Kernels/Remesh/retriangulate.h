@@ -4,7 +4,7 @@
 
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include <functional>
 #include <vector>
@@ -17,6 +17,14 @@ namespace oversketch
 // from several threads.
 using Movement =
   std::function<std::vector<Vector3>(const std::vector<Vector3>& points, const std::vector<double>& values)>;
+
+// The motion of an edit.
+struct Motion
+{
+  int channels = 0;           // values of a vertex
+  std::vector<double> values; // of each vertex
+  Movement movement;
+};
 
 struct RetriangulateInput
 {
@@ -61,7 +69,7 @@ struct Retriangulated
 // Error(Failure::Cancelled).
 Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const Context& context);
 
-// What replaces it, with the mean edge that is to be there: a rule of curvature finds it in the noise of an
+// Replaces that rule, with the mean edge that is to be there: a rule of curvature finds it in the noise of an
 // unchanged region too, and puts new vertices onto the facets of a surface that was stretched. Here edges are
 // split before the edit, so that the edit moves their halves to where they belong: in up to six rounds each
 // edge that it makes longer than 4/3 mean edges and than it was, or that is over 0.35 mean edges long and
@@ -74,12 +82,19 @@ Retriangulated retriangulateByCurvature(const RetriangulateInput& input, const C
 // swapped by angles, and those that this leaves over 4/3 mean edges split. Without a motion nothing changes.
 // No two vertices come out at one place, by either rule, unless the edit has put both there and they cannot
 // leave.
-//
-// values: `channels` of each vertex of the mesh, mixed where a new one is made.
 Retriangulated retriangulateEdit(const RetriangulateInput& input,
-  const Movement& movement,
-  const std::vector<double>& values,
-  int channels,
+  const Motion& motion,
+  const Context& context);
+
+// The motion between two meshes with the same triangles, for who does not know what moved the vertices:
+// within a triangle, halfway from the mean of its corners' displacements to that of the displacements which
+// the corners expect there, by their own and its slope along the surface (least squares over their
+// neighbours). That is T. Boubekeur and M. Alexa, "Phong Tessellation", 2008, of displacements in place of
+// positions: at the middle of an edge it is the cubic with the slopes of both ends, at vertices the
+// displacement itself.
+Motion motionBetween(const Mesh& rest,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& moved,
   const Context& context);
 
 } // namespace oversketch

@@ -4,7 +4,6 @@
 #include "Harness/enclosures.h"
 #include "Harness/threads.h"
 #include "Remesh/keep_apart.h"
-#include "Remesh/motion.h"
 
 #include <gtest/gtest.h>
 
@@ -45,14 +44,12 @@ struct Edited
     this->region[front[0]] = 2;
     for (std::size_t i = 0; i < front.size(); ++i)
     {
-      for (const int* n = adjacency.vertexVertices.begin(front[i]);
-           n != adjacency.vertexVertices.end(front[i]);
-           ++n)
+      for (const int n : adjacency.vertexVertices[front[i]])
       {
-        if (this->region[*n] == 0)
+        if (this->region[n] == 0)
         {
-          this->region[*n] = 2;
-          front.push_back(*n);
+          this->region[n] = 2;
+          front.push_back(n);
         }
       }
     }
@@ -75,7 +72,7 @@ struct Edited
   }
   Retriangulated run(const Context& context = {}) const
   {
-    return retriangulateEdit(this->input(), this->movement, this->shares, 1, context);
+    return retriangulateEdit(this->input(), { 1, this->shares, this->movement }, context);
   }
   Mesh before() const { return { this->moved, this->scene.mesh.triangles }; }
 };
@@ -340,8 +337,7 @@ TEST(B11_3, WithoutAMotionNothingChanges)
     // Nor does a motion that nothing is stretched by.
     const Motion motion =
       motionBetween(scene.mesh, buildAdjacency(scene.mesh), scene.mesh.points, twoThreads());
-    const Retriangulated known =
-      retriangulateEdit(still.input(), motion.movement, motion.values, motion.channels, {});
+    const Retriangulated known = retriangulateEdit(still.input(), motion, {});
     EXPECT_EQ(known.splits + known.collapses + known.flips, 0);
     EXPECT_EQ(known.mesh.points, scene.mesh.points);
   }
@@ -573,8 +569,7 @@ TEST(Retriangulate, AKnownMotionIsNearlyTheFunction)
   {
     EXPECT_LT((again[v] - edited.moved[v]).norm(), 1e-9);
   }
-  const Retriangulated known =
-    retriangulateEdit(edited.input(), motion.movement, motion.values, motion.channels, {});
+  const Retriangulated known = retriangulateEdit(edited.input(), motion, {});
   expectSound(edited, known);
   const Retriangulated exact = edited.run();
   EXPECT_NEAR(known.mesh.triangleCount(), exact.mesh.triangleCount(), 0.1 * exact.mesh.triangleCount());

@@ -150,11 +150,8 @@ void spread(const Mesh& mesh,
   const auto through = [&](int from, int to)
   { return values[from] + slope * (mesh.points[to] - mesh.points[from]).norm(); };
   const auto lowers = [&](int from, int to) { return through(from, to) < std::min(values[to], limit); };
-  std::vector<int> offsets(mesh.points.size() + 1, 0);
   for (const ActiveEdge& e : edges)
   {
-    ++offsets[e.v0 + 1];
-    ++offsets[e.v1 + 1];
     if (lowers(e.v0, e.v1) || lowers(e.v1, e.v0))
     {
       const int from = lowers(e.v0, e.v1) ? e.v0 : e.v1;
@@ -165,21 +162,25 @@ void spread(const Mesh& mesh,
   {
     return;
   }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<int> neighbours(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (const ActiveEdge& e : edges)
-  {
-    neighbours[next[e.v0]++] = e.v1;
-    neighbours[next[e.v1]++] = e.v0;
-  }
+  const Lists neighbours = Lists::gathered(mesh.points.size(),
+    [&](auto&& visit)
+    {
+      for (const ActiveEdge& e : edges)
+      {
+        visit(e.v0, e.v1);
+        visit(e.v1, e.v0);
+      }
+    });
   while (!queue.empty())
   {
     const auto [value, v] = queue.top();
     queue.pop();
-    for (int i = offsets[v]; value <= values[v] && i < offsets[v + 1]; ++i)
+    if (value > values[v])
     {
-      const int u = neighbours[i];
+      continue;
+    }
+    for (const int u : neighbours[v])
+    {
       if (lowers(v, u))
       {
         values[u] = through(v, u);
@@ -282,7 +283,7 @@ std::vector<double> targetLengths(const Mesh& whole,
   const std::vector<ActiveEdge> edges = activeEdges(part);
   const auto valueOf = [](const std::vector<double>& values, int v)
   { return !values.empty() && std::isfinite(values[v]) && values[v] > 0.0 ? values[v] : infinite; };
-  // Of vertex v of the whole mesh, where the limit by diameter may ask for `lowest` at least.
+  // Length for vertex v of the whole mesh, where the limit by diameter may ask for `lowest` at least.
   const auto wanted = [&](int v, double lowest) {
     return std::min({ sizing.length, std::max(0.5 * valueOf(diameters, v), lowest), valueOf(fitting, v) });
   };
@@ -300,9 +301,7 @@ std::vector<double> targetLengths(const Mesh& whole,
         {
           mean += wanted(part.vertices[v], lowest) / 3.0;
         }
-        const double area =
-          0.5 * (mesh.points[c[1]] - mesh.points[c[0]]).cross(mesh.points[c[2]] - mesh.points[c[0]]).norm();
-        count += area / (equilateral * mean * mean);
+        count += facetArea(mesh, t) / (equilateral * mean * mean);
       }
     }
     return count;
@@ -429,7 +428,7 @@ TriangleLimit limitTriangles(const Mesh& mesh, const std::vector<char>& active, 
   {
     return limitOf(0.0, std::max(present, wanted));
   }
-  // Of the longest edge each has one part then.
+  // Each has one part of its longest edge then.
   double tooLow = 0.0, enough = 0.0;
   for (const Asking& one : asking)
   {

@@ -20,21 +20,17 @@ constexpr double flattest = 1e-6;
 std::vector<double> sizesIn(const Cutout& cutout, const RetriangulateInput& input)
 {
   return input.sizes.empty() ? std::vector<double>(cutout.vertices.size(), input.meanEdge)
-                             : Cutout::taken(input.sizes, cutout.vertices);
+                             : valuesAt(input.sizes, cutout.vertices);
 }
 
 Splitting::Splitting(const RetriangulateInput& input,
   const Cutout& cutout,
   const Surface& rest,
   const Held& held,
-  const Movement& movement,
-  const std::vector<double>& values,
-  int channels)
+  const Motion& motion)
   : Cut(cutout)
   , Rest(rest)
-  , Moves(movement)
-  , Values(values)
-  , Channels(channels)
+  , Moves(motion)
   , Sizes(sizesIn(cutout, input))
   , Area(rest, cutout.active, Sizes, held.vertices, held.edges, false)
   , AtRest(cutout.mesh.points)
@@ -42,7 +38,7 @@ Splitting::Splitting(const RetriangulateInput& input,
   , Touched(cutout.active.size(), 0)
   , IsSplit(cutout.active.size(), 0)
 {
-  this->Area.moveTo(Cutout::taken(input.moved, cutout.vertices));
+  this->Area.moveTo(valuesAt(input.moved, cutout.vertices));
   this->Taken.reserve(4 * cutout.vertices.size());
   for (int v = 0; v < this->Area.vertexCount(); ++v)
   {
@@ -113,11 +109,11 @@ void Splitting::mixValues(const SurfacePoint& at, double* values) const
   const Triangle& c = this->Cut.mesh.triangles[at.triangle];
   const auto valuesOf = [&](int corner)
   {
-    return this->Values.data() +
-           static_cast<std::size_t>(this->Cut.vertices[c[corner]]) * static_cast<std::size_t>(this->Channels);
+    return this->Moves.values.data() + static_cast<std::size_t>(this->Cut.vertices[c[corner]]) *
+                                         static_cast<std::size_t>(this->Moves.channels);
   };
   const double *first = valuesOf(0), *second = valuesOf(1), *third = valuesOf(2);
-  for (int i = 0; i < this->Channels; ++i)
+  for (int i = 0; i < this->Moves.channels; ++i)
   {
     values[i] = at.weights[0] * first[i] + at.weights[1] * second[i] + at.weights[2] * third[i];
   }
@@ -158,16 +154,16 @@ void Splitting::choose(const int* begin, const int* end, std::vector<Wish>& chos
   const auto count = static_cast<std::size_t>(end - begin);
   std::vector<SurfacePoint> places;
   std::vector<Vector3> middles;
-  std::vector<double> values(count * static_cast<std::size_t>(this->Channels));
+  std::vector<double> values(count * static_cast<std::size_t>(this->Moves.channels));
   places.reserve(count);
   middles.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
   {
     places.push_back(this->middleOf(begin[i]));
     middles.push_back(positionOf(this->Rest.mesh(), places.back()));
-    this->mixValues(places.back(), values.data() + i * static_cast<std::size_t>(this->Channels));
+    this->mixValues(places.back(), values.data() + i * static_cast<std::size_t>(this->Moves.channels));
   }
-  const std::vector<Vector3> moved = this->Moves(middles, values);
+  const std::vector<Vector3> moved = this->Moves.movement(middles, values);
   constexpr double change = smallestChange * smallestChange;
   const auto squaredSag = [](const Vector3& a, const Vector3& b, const Vector3& middle)
   { return (middle - 0.5 * (a + b)).squaredNorm(); };

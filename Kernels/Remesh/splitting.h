@@ -3,10 +3,10 @@
 #define oversketch_kernels_remesh_splitting_h
 
 #include "Remesh/cutout.h"
+#include "Remesh/keep_apart.h"
 #include "Remesh/passes.h"
 #include "Remesh/reassemble.h"
 #include "Remesh/retriangulate.h"
-#include "Remesh/taken_places.h"
 
 #include <vector>
 
@@ -27,9 +27,7 @@ public:
     const Cutout& cutout,
     const Surface& rest,
     const Held& held,
-    const Movement& movement,
-    const std::vector<double>& values,
-    int channels);
+    const Motion& motion);
 
   void run(Steps& steps, Retriangulated& counts);
 
@@ -72,7 +70,7 @@ private:
   // Wishes of the edges that are new. Threaded, by blocks, so that the movement sees the same ones together.
   void lookAtEdges(const Context& context);
 
-  // Those of the edges that the edit stretches or bends.
+  // Chooses edges that the edit stretches or bends.
   void choose(const int* begin, const int* end, std::vector<Wish>& chosen) const;
 
   // The middle may lie on the line of another edge: a half of the face would have no area.
@@ -90,9 +88,7 @@ private:
 
   const Cutout& Cut;
   const Surface& Rest;
-  const Movement& Moves;
-  const std::vector<double>& Values;
-  const int Channels;
+  const Motion& Moves;
   const std::vector<double> Sizes;
   Patch Area;
   std::vector<Vector3> AtRest; // of the patch's vertices

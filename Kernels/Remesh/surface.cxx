@@ -28,11 +28,6 @@ int supportOf(const Mesh& mesh, const SurfacePoint& at, std::array<int, 3>& vert
   return count;
 }
 
-int cornerOf(const Triangle& t, int vertex)
-{
-  return t[0] == vertex ? 0 : t[1] == vertex ? 1 : t[2] == vertex ? 2 : -1;
-}
-
 // The place as seen from another triangle that holds all its support, or triangle -1.
 SurfacePoint seenFrom(const Mesh& mesh, const SurfacePoint& at, int triangle)
 {
@@ -75,25 +70,17 @@ Surface::Surface(const Mesh& mesh)
 void Surface::listTriangles(const std::vector<char>& active)
 {
   const Mesh& mesh = this->Model;
-  std::vector<int>& offsets = this->VertexTriangles.offsets;
-  offsets.assign(mesh.points.size() + 1, 0);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (int k = 0; active[t] && k < 3; ++k)
+  this->VertexTriangles = Lists::gathered(mesh.points.size(),
+    [&](auto&& visit)
     {
-      ++offsets[mesh.triangles[t][k] + 1];
-    }
-  }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  this->VertexTriangles.values.resize(offsets.back());
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (int k = 0; active[t] && k < 3; ++k)
-    {
-      this->VertexTriangles.values[next[mesh.triangles[t][k]]++] = t;
-    }
-  }
+      for (int t = 0; t < mesh.triangleCount(); ++t)
+      {
+        for (int k = 0; active[t] && k < 3; ++k)
+        {
+          visit(mesh.triangles[t][k], t);
+        }
+      }
+    });
 }
 
 // As linkHalfEdges finds it, where all triangles are active; -1 where there is none.
@@ -252,11 +239,11 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
     for (int i = 0; i < count; ++i)
     {
       const int v = support[i];
-      for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
+      for (const int t : this->VertexTriangles[v])
       {
-        if (*t != from.triangle && this->chart(*t) == chart)
+        if (t != from.triangle && this->chart(t) == chart)
         {
-          consider(*t);
+          consider(t);
         }
       }
     }
@@ -270,13 +257,12 @@ SurfacePoint Surface::closest(const Vector3& p, int start) const
 
 int Surface::triangleWith(const std::vector<int>& vertices) const
 {
-  for (const int* t = this->VertexTriangles.begin(vertices[0]); t != this->VertexTriangles.end(vertices[0]);
-       ++t)
+  for (const int t : this->VertexTriangles[vertices[0]])
   {
-    const auto holds = [&](int v) { return cornerOf(this->Model.triangles[*t], v) >= 0; };
+    const auto holds = [&](int v) { return cornerOf(this->Model.triangles[t], v) >= 0; };
     if (std::all_of(vertices.begin(), vertices.end(), holds))
     {
-      return *t;
+      return t;
     }
   }
   return -1;
@@ -287,13 +273,13 @@ bool Surface::middle(const SurfacePoint& a, const SurfacePoint& b, int chart, Su
   std::array<int, 3> support;
   supportOf(this->Model, a, support);
   const int v = support[0];
-  for (const int* t = this->VertexTriangles.begin(v); t != this->VertexTriangles.end(v); ++t)
+  for (const int t : this->VertexTriangles[v])
   {
-    if (chart >= 0 && this->chart(*t) != chart)
+    if (chart >= 0 && this->chart(t) != chart)
     {
       continue;
     }
-    if (this->middleIn(*t, a, b, result))
+    if (this->middleIn(t, a, b, result))
     {
       return true;
     }
@@ -331,13 +317,12 @@ SurfacePoint Surface::inChart(const SurfacePoint& at, int chart, const Vector3& 
   }
   SurfacePoint best = at;
   double bestDistance = std::numeric_limits<double>::infinity();
-  for (const int* t = this->VertexTriangles.begin(support[0]); t != this->VertexTriangles.end(support[0]);
-       ++t)
+  for (const int t : this->VertexTriangles[support[0]])
   {
-    if (this->chart(*t) == chart)
+    if (this->chart(t) == chart)
     {
-      const SurfacePoint place = seenFrom(this->Model, at, *t);
-      const Triangle& corners = this->Model.triangles[*t];
+      const SurfacePoint place = seenFrom(this->Model, at, t);
+      const Triangle& corners = this->Model.triangles[t];
       const Vector3 middle =
         (this->Model.points[corners[0]] + this->Model.points[corners[1]] + this->Model.points[corners[2]]) /
         3.0;

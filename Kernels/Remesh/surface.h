@@ -53,10 +53,10 @@ public:
   // The middle of two places that lie in one triangle, exactly on their common edge where they have one.
   // False when no triangle of that chart (any chart if chart < 0) holds both.
   bool middle(const SurfacePoint& a, const SurfacePoint& b, int chart, SurfacePoint& result) const;
-  // Of places that lie in this one.
+  // The middle of places that lie in this triangle.
   bool middleIn(int triangle, const SurfacePoint& a, const SurfacePoint& b, SurfacePoint& result) const;
 
-  // The same place as seen from a triangle of the given chart; of several, from the one whose middle is
+  // A place as seen from a triangle of the given chart; of several, from the one whose middle is
   // nearest to `towards`. The place itself if no triangle around it is of that chart.
   SurfacePoint inChart(const SurfacePoint& at, int chart, const Vector3& towards) const;
 

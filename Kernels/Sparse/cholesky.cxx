@@ -383,31 +383,28 @@ void Cholesky::handOn(int s, const Strips& strips, const Memory& stacks, const C
   const int count = strips.all - strips.own;
   const int side = count < 32 ? 4 : 8; // strips of a block
   const int blocks = (count + side - 1) / side;
-  context.parallelFor(blocks * (blocks + 1) / 2,
-    [&](int begin, int end)
+  context.eachUntilCancelled(blocks * (blocks + 1) / 2,
+    [&](int task)
     {
-      for (int task = begin; task < end && !context.cancelled(); ++task)
+      int row = 0, column = task; // of the block
+      while (column > row)
       {
-        int row = 0, column = task; // of the block
-        while (column > row)
+        column -= ++row;
+      }
+      for (int done = 0; done < shape.columns; done += panelColumns)
+      {
+        for (int p = row * side; p < std::min(row * side + side, count); ++p)
         {
-          column -= ++row;
-        }
-        for (int done = 0; done < shape.columns; done += panelColumns)
-        {
-          for (int p = row * side; p < std::min(row * side + side, count); ++p)
+          for (int q = column * side; q <= std::min(column * side + side - 1, p); ++q)
           {
-            for (int q = column * side; q <= std::min(column * side + side - 1, p); ++q)
-            {
-              strips.take(strips.own + p,
-                strips.own + q,
-                done,
-                std::min(panelColumns, shape.columns - done),
-                update + p * stripRows + static_cast<std::size_t>(q) * stripRows * shape.others,
-                shape.others,
-                std::min(stripRows, shape.rows - q * stripRows),
-                done == 0);
-            }
+            strips.take(strips.own + p,
+              strips.own + q,
+              done,
+              std::min(panelColumns, shape.columns - done),
+              update + p * stripRows + static_cast<std::size_t>(q) * stripRows * shape.others,
+              shape.others,
+              std::min(stripRows, shape.rows - q * stripRows),
+              done == 0);
           }
         }
       }

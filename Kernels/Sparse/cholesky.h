@@ -6,7 +6,6 @@
 #define oversketch_kernels_sparse_cholesky_h
 
 #include "Mesh/context.h"
-#include "Sparse/block_matrix.h"
 #include "Sparse/dense.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"
@@ -60,8 +59,8 @@ private:
 
   std::shared_ptr<const Elimination> Symbolic;
   int Block = 0;
-  // Of each supernode: where its panel begins, what it hands on in the factorisation, and what in a solve
-  // with one right-hand side.
+  // Places for each supernode: where its panel begins, what it hands on in the factorisation, and what in a
+  // solve with one right-hand side.
   std::vector<std::size_t> PanelPlaces, UpdatePlaces, VectorPlaces;
   std::vector<std::vector<Run>> Runs; // of each supernode: how its rows lie in its parent's panel
   std::size_t StackSize = 0;          // of the subtrees' updates, see placeUpdates

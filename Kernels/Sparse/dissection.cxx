@@ -98,13 +98,9 @@ Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions
   , Pattern(pattern)
   , Label(positions.size(), -1)
 {
-  Vector3 low = Vector3::Constant(INFINITY), high = -low;
-  for (const Vector3& p : positions)
-  {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = positions.empty() ? 0.0 : (high - low).maxCoeff();
+  const Eigen::AlignedBox3d box = boxRound(positions);
+  const Vector3& low = box.min();
+  const double extent = positions.empty() ? 0.0 : (box.max() - low).maxCoeff();
   const double scale = extent > 0.0 ? 1.0 / extent : 0.0;
   for (int v = 0; v < static_cast<int>(positions.size()); ++v)
   {
@@ -114,20 +110,17 @@ Dissector::Dissector(const Lists& pattern, const std::vector<Vector3>& positions
       this->items[v].at[k] = static_cast<float>((positions[v][k] - low[k]) * scale);
     }
   }
-  context.parallelFor(static_cast<int>(positions.size()),
-    [this](int begin, int end)
+  context.each(static_cast<int>(positions.size()),
+    [this](int v)
     {
-      for (int v = begin; v < end; ++v)
+      Item& item = this->items[v];
+      item.low = item.high = item.at;
+      for (const int n : this->Pattern[v])
       {
-        Item& item = this->items[v];
-        item.low = item.high = item.at;
-        for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
+        for (int k = 0; k < 3; ++k)
         {
-          for (int k = 0; k < 3; ++k)
-          {
-            item.low[k] = std::min(item.low[k], this->items[*n].at[k]);
-            item.high[k] = std::max(item.high[k], this->items[*n].at[k]);
-          }
+          item.low[k] = std::min(item.low[k], this->items[n].at[k]);
+          item.high[k] = std::max(item.high[k], this->items[n].at[k]);
         }
       }
     });
@@ -196,12 +189,12 @@ void Dissector::measure(int begin, int end, int label)
     for (std::size_t i = 0; i < depths.size(); ++i)
     {
       const auto [v, depth] = depths[i];
-      for (const int* n = this->Pattern.begin(v); n != this->Pattern.end(v); ++n)
+      for (const int n : this->Pattern[v])
       {
-        if (this->Label[*n] == label)
+        if (this->Label[n] == label)
         {
-          this->Label[*n] = label + 1;
-          depths.emplace_back(*n, depth + 1.0F);
+          this->Label[n] = label + 1;
+          depths.emplace_back(n, depth + 1.0F);
         }
       }
     }

@@ -162,14 +162,7 @@ std::size_t Elimination::storedCount(int block) const
 
 void Elimination::forSubtrees(const Context& context, const std::function<void(int)>& body) const
 {
-  context.parallelFor(static_cast<int>(this->subtrees.size()),
-    [&](int begin, int end)
-    {
-      for (int subtree = begin; subtree < end && !context.cancelled(); ++subtree)
-      {
-        body(subtree);
-      }
-    });
+  context.eachUntilCancelled(static_cast<int>(this->subtrees.size()), body);
 }
 
 } // namespace oversketch

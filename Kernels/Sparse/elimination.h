@@ -1,4 +1,4 @@
-// In which order a sparse symmetric matrix is eliminated, and the shape of its Cholesky factor: what depends
+// The order in which a sparse symmetric matrix is eliminated, and the shape of its Cholesky factor: what depends
 // on the pattern alone and serves any number of matrices.
 #ifndef oversketch_kernels_sparse_elimination_h
 #define oversketch_kernels_sparse_elimination_h
@@ -12,6 +12,15 @@
 
 namespace oversketch
 {
+
+// A sparse symmetric matrix of small dense blocks, one block row and column for each node of a graph.
+struct BlockMatrix
+{
+  int block = 1;              // rows and columns of a block
+  Lists pattern;              // of each node, itself and the nodes that it is coupled with, in any order
+  std::vector<double> values; // block k, column-major, belongs to row pattern.values[k] of its list's column
+  int nodeCount() const { return static_cast<int>(this->pattern.offsets.size()) - 1; }
+};
 
 // A part of the nested dissection, eliminated together: its panel of the factor has a column for each of its
 // nodes and rows for these and for those they touch later.

@@ -6,7 +6,6 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Mesh/place.h"
-#include "Sparse/block_matrix.h"
 #include "Sparse/elimination.h"
 #include "Sparse/memory.h"
 
@@ -33,7 +32,7 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
   const std::vector<char>& region,
   const std::vector<Binding>& handles);
 
-// What keeps a part of a mesh in shape, without the handles: minimises sum_i |sum_j w_ij (u_i - u_j) - (T_i -
+// Keeps a part of a mesh in shape, without the handles: minimises sum_i |sum_j w_ij (u_i - u_j) - (T_i -
 // I) delta_i|^2 over the displacements u = x' - x of the vertices that may move; all others have u = 0. w are
 // cotangent weights, delta_i = sum_j w_ij (x_i - x_j), T_i = I without adjustNormals, else s I + [h]x fitted
 // to the one-ring of i, which is linear in u. Serves any handles on these vertices.
@@ -71,7 +70,7 @@ public:
     double handleWeight,
     const Context& context,
     std::shared_ptr<FactorMemory> memory = std::make_shared<FactorMemory>());
-  // The same with a shape of its own, of what may move in the region (one byte per vertex); throws what
+  // Makes a shape of its own, of what may move in the region (one byte per vertex); throws what
   // movableVertices throws, too.
   LaplacianSystem(const Mesh& mesh,
     const Adjacency& adjacency,
@@ -85,7 +84,7 @@ public:
   // vertices that cannot move, and everywhere when all wanted displacements are zero.
   std::vector<Vector3> solve(const std::vector<Vector3>& displacements, const Context& context) const;
 
-  // What the unknowns do when the wanted displacement of each handle grows by its share of one vector: of
+  // Moves of the unknowns when the wanted displacement of each handle grows by its share of one vector: of
   // each, one factor, or a 3x3 matrix (column-major) with adjustNormals; in the order of shape().vertices.
   std::vector<double> response(const std::vector<double>& shares, const Context& context) const;
 
@@ -97,6 +96,20 @@ public:
 private:
   struct Parts;
   std::unique_ptr<Parts> Pieces;
+};
+
+// Handles that move together by one vector d move everything else in proportion, so that one solve serves all
+// places of the hand: vertices that may move lie at rest + response d.
+struct Drag
+{
+  std::vector<int> vertices;    // of the mesh, ascending
+  std::vector<Vector3> rest;    // their places for d = 0
+  std::vector<double> response; // of each: one factor, or nine of a 3x3 matrix, column-major
+
+  // Writes the places for d into the points of the whole mesh (three numbers each); the others are left
+  // alone. Real is float or double.
+  template <class Real>
+  void place(const Vector3& d, Real* points, const Context& context) const;
 };
 
 } // namespace oversketch

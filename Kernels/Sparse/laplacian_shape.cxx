@@ -69,12 +69,12 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
   {
     const int v = stack.back();
     stack.pop_back();
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      if (inner[*n] && !movable[*n])
+      if (inner[n] && !movable[n])
       {
-        movable[*n] = 1;
-        stack.push_back(*n);
+        movable[n] = 1;
+        stack.push_back(n);
       }
     }
   }
@@ -84,10 +84,10 @@ std::vector<char> movableVertices(const Adjacency& adjacency,
 double cotangentWeight(const Mesh& mesh, const Adjacency& adjacency, int edge)
 {
   double weight = 0.0;
-  for (const int* t = adjacency.trianglesBegin(edge); t != adjacency.trianglesEnd(edge); ++t)
+  for (const int t : adjacency.trianglesAt(edge))
   {
-    const Triangle& c = mesh.triangles[*t];
-    const std::array<int, 3>& sides = adjacency.triangleEdges[*t];
+    const Triangle& c = mesh.triangles[t];
+    const std::array<int, 3>& sides = adjacency.triangleEdges[t];
     const int k = sides[0] == edge ? 0 : sides[1] == edge ? 1 : 2;
     const Vector3& p = mesh.points[c[(k + 2) % 3]];
     const Vector3 a = mesh.points[c[k]] - p;
@@ -153,27 +153,24 @@ LaplacianRows::LaplacianRows(const Mesh& mesh,
     count += this->ringSize(i);
   }
   this->blocks.resize(static_cast<std::size_t>(count) * this->entries, 0.0);
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(rows.size()),
+    [&](int row)
     {
-      for (int row = begin; row < end; ++row)
+      const int i = rows[row];
+      for (int k = 0; k + 1 < this->ringSize(i); ++k)
       {
-        const int i = rows[row];
-        for (int k = 0; k + 1 < this->ringSize(i); ++k)
+        const double w = cotangentWeight(mesh, neighbours, neighbours.findEdge(i, this->ringVertex(i, k)));
+        double* own = this->block(i, this->ringSize(i) - 1);
+        double* other = this->block(i, k);
+        for (int c = 0; c < this->entries; c += 4)
         {
-          const double w = cotangentWeight(mesh, neighbours, neighbours.findEdge(i, this->ringVertex(i, k)));
-          double* own = this->block(i, this->ringSize(i) - 1);
-          double* other = this->block(i, k);
-          for (int c = 0; c < this->entries; c += 4)
-          {
-            own[c] += w;
-            other[c] -= w;
-          }
+          own[c] += w;
+          other[c] -= w;
         }
-        if (adjust)
-        {
-          this->adjust(mesh, i);
-        }
+      }
+      if (adjust)
+      {
+        this->adjust(mesh, i);
       }
     });
 }
@@ -311,8 +308,7 @@ BlockMatrix normalMatrixOf(const LaplacianRows& laplacian,
 // The matrix with zero blocks at these columns and rows, too.
 BlockMatrix extended(const BlockMatrix& matrix, std::vector<std::pair<int, int>> places)
 {
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sortUnique(places);
   const std::size_t entries = static_cast<std::size_t>(matrix.block) * matrix.block;
   BlockMatrix result;
   result.block = matrix.block;
@@ -361,13 +357,12 @@ LaplacianShape::LaplacianShape(const Mesh& mesh,
   std::vector<char> hasRow = movable;
   for (const int v : this->vertices)
   {
-    for (const int* n = adjacency.vertexVertices.begin(v); borderRows && n != adjacency.vertexVertices.end(v);
-         ++n)
+    for (const int n : borderRows ? adjacency.vertexVertices[v] : Lists::Range())
     {
-      if (!hasRow[*n])
+      if (!hasRow[n])
       {
-        hasRow[*n] = 1;
-        rows.push_back(*n);
+        hasRow[n] = 1;
+        rows.push_back(n);
       }
     }
   }
@@ -381,7 +376,7 @@ LaplacianShape::LaplacianShape(const Mesh& mesh,
 
 BlockMatrix LaplacianShape::normalMatrix(const std::vector<Binding>& handles, double handleWeight) const
 {
-  // Of each two unknowns that one handle hangs on: column, row and weight.
+  // Two unknowns that one handle hangs on: column, row and weight.
   struct Link
   {
     int column, row;

@@ -1,7 +1,6 @@
 #include "Sparse/laplacian.h"
 
 #include "Harness/shapes.h"
-#include "Sparse/drag.h"
 
 #include <gtest/gtest.h>
 

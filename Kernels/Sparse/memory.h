@@ -22,7 +22,7 @@ namespace oversketch
 class Memory
 {
 public:
-  // What it held is lost if it has to grow.
+  // Loses what it held if it has to grow.
   void reserve(std::size_t count)
   {
     if (count > this->Room)
@@ -95,7 +95,8 @@ private:
   std::vector<std::unique_ptr<Memory>> Unused;
 };
 
-// What one Cholesky factor lies in. The next one may take it over once the former is not used any more.
+// Memory that one Cholesky factor lies in. The next one may take it over once the former is not used any
+// more.
 struct FactorMemory
 {
   Memory panels, updates;

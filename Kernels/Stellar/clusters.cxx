@@ -150,7 +150,7 @@ private:
     for (int f : this->Around[w])
     {
       const Triangle& t = this->Result.original.faces[f];
-      const std::ptrdiff_t i = std::find(t.begin(), t.end(), w) - t.begin();
+      const int i = cornerOf(t, w);
       steps.push_back({ t[(i + 1) % 3], t[(i + 2) % 3], f });
     }
     Ring ring;
@@ -184,11 +184,7 @@ private:
   {
     return std::any_of(this->Around[a].begin(),
       this->Around[a].end(),
-      [&](int f)
-      {
-        const Triangle& t = this->Result.original.faces[f];
-        return std::find(t.begin(), t.end(), b) != t.end();
-      });
+      [&](int f) { return cornerOf(this->Result.original.faces[f], b) >= 0; });
   }
 
   // Whether no new face turns away from an old one.
@@ -368,7 +364,8 @@ private:
     }
     const std::vector<int>& v = ring.link;
     const std::vector<std::pair<int, Vector2>> flat = this->flatStar(w, ring);
-    // What may come in its place; a new edge must not be there already, nor the one face of a tetrahedron.
+    // Faces that may come in its place; a new edge must not be there already, nor the one face of a
+    // tetrahedron.
     std::vector<std::vector<Triangle>> choices;
     const auto offer = [&](int a, int b, const std::vector<Triangle>& made)
     {

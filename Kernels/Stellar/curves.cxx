@@ -147,6 +147,15 @@ void checkCurves(const FeatureCurves& curves)
   }
 }
 
+void checkRadius(const FeatureCurves& curves, double radius)
+{
+  if (!(radius > 0.0 && std::isfinite(radius)) &&
+      std::any_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return !c.radius; }))
+  {
+    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
+  }
+}
+
 std::uint64_t digest(const FeatureCurves& curves)
 {
   std::uint64_t h = 0xcbf29ce484222325u;

@@ -62,8 +62,10 @@ using FeatureCurves = std::vector<FeatureCurve>;
 // Throws Error(BadStroke) where a curve has fewer than two points, a number that is not finite, a list of a
 // wrong length, a radius that is not positive or a negative sharpness.
 void checkCurves(const FeatureCurves& curves);
+// Throws Error(BadStroke) where the radius of curves without their own is not positive.
+void checkRadius(const FeatureCurves& curves, double radius);
 
-// What CurveDigest holds: a hash of the points of all curves.
+// A hash of the points of all curves, for CurveDigest.
 std::uint64_t digest(const FeatureCurves& curves);
 
 struct NearestOnCurve

@@ -171,9 +171,9 @@ void checkManifold(const Mesh& mesh, const Adjacency& adjacency)
     {
       flat.addId(t);
     }
-    for (const int* other = adjacency.trianglesBegin(edge); other != adjacency.trianglesEnd(edge); ++other)
+    for (const int other : adjacency.trianglesAt(edge))
     {
-      if (*other < t && sameCorners(mesh.triangles[*other], corners))
+      if (other < t && sameCorners(mesh.triangles[other], corners))
       {
         repeated.addId(t);
         break;
@@ -190,12 +190,7 @@ void checkManifold(const Mesh& mesh, const Adjacency& adjacency)
     }
     else if (edge.triangleCount == 2)
     {
-      const auto forward = [&](int t)
-      {
-        const Triangle& c = mesh.triangles[t];
-        return (c[0] == edge.v0 && c[1] == edge.v1) || (c[1] == edge.v0 && c[2] == edge.v1) ||
-               (c[2] == edge.v0 && c[0] == edge.v1);
-      };
+      const auto forward = [&](int t) { return runsAlong(mesh.triangles[t], edge.v0, edge.v1); };
       const int* around = adjacency.trianglesBegin(e);
       if (forward(around[0]) == forward(around[1]))
       {

@@ -1,4 +1,4 @@
-// What keeps a triangle mesh from being the base of a 4-8 mesh.
+// Defects that keep a triangle mesh from being the base of a 4-8 mesh.
 #ifndef oversketch_kernels_stellar_defects_h
 #define oversketch_kernels_stellar_defects_h
 
@@ -13,9 +13,9 @@ namespace oversketch
 // edges of more than two triangles or of two that run the same way, points where pieces meet at nothing else.
 // Loose points are no defect.
 void checkManifold(const Mesh& mesh);
-// The same where the adjacency is there already; what names no point is not looked for.
+// Checks where the adjacency is there already; what names no point is not looked for.
 void checkManifold(const Mesh& mesh, const Adjacency& adjacency);
-// Only that triangles name points of the mesh, which adjacency needs.
+// Checks only that triangles name points of the mesh, which adjacency needs.
 void checkPointIds(const Mesh& mesh);
 
 } // namespace oversketch

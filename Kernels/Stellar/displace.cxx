@@ -1,11 +1,12 @@
 #include "Stellar/displace.h"
 
 #include "Mesh/context.h"
-#include "Stellar/crest.h"
-#include "Stellar/passage.h"
+#include "Mesh/nearest.h"
+#include "Stellar/crossed_faces.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace oversketch
 {
@@ -13,7 +14,7 @@ namespace oversketch
 namespace
 {
 
-// What curves make of a vertex.
+// A vertex and what curves make of it.
 struct Rise
 {
   int vertex;
@@ -95,7 +96,7 @@ void checkSketch(const FeatureCurves& curves, const std::vector<std::vector<Vect
   }
 }
 
-// What all curves together make of the vertices that they reach, in the order in which they reach them.
+// Rises that all curves together make, in the order in which they reach the vertices.
 std::vector<Rise> risesOf(const Forest& forest,
   const FeatureCurves& curves,
   const CurvesReached& reached,
@@ -175,7 +176,7 @@ std::vector<int> facesAround(const Forest& forest, const std::vector<int>& verti
   return marked(around);
 }
 
-// What the stroke's vertices knew is of no use to the next one.
+// Forgets what the stroke's vertices knew, which is of no use to the next one.
 void endStroke(Forest& forest, const std::vector<int>& vertices, bool keepBaseNormals)
 {
   for (const int v : vertices)
@@ -213,19 +214,101 @@ void startFrom(const Forest& before, const std::vector<int>& changing, Forest& a
 int turned(const Forest& forest, const CurvesReached& reached, const Context& context)
 {
   std::vector<char> turned(reached.faces.size(), 0);
-  context.parallelFor(static_cast<int>(turned.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(turned.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const int* v = forest.faces[reached.faces[i]].v;
-        const Vector3 rise =
-          forest.displacement[v[0]] + forest.displacement[v[1]] + forest.displacement[v[2]];
-        const Vector3 &old = reached.normals[i], now = forest.facetNormal(reached.faces[i]);
-        turned[i] = old.dot(now) < 0.0 && old.dot(rise) * now.dot(rise) <= 0.0 ? 1 : 0;
-      }
+      const int* v = forest.faces[reached.faces[i]].v;
+      const Vector3 rise = forest.displacement[v[0]] + forest.displacement[v[1]] + forest.displacement[v[2]];
+      const Vector3 &old = reached.normals[i], now = forest.facetNormal(reached.faces[i]);
+      turned[i] = old.dot(now) < 0.0 && old.dot(rise) * now.dot(rise) <= 0.0 ? 1 : 0;
     });
   return static_cast<int>(std::count(turned.begin(), turned.end(), 1));
+}
+
+constexpr int stepsPerRadius = 20;
+constexpr int mostPlaces = 100000; // of one curve; longer ones are looked at less often
+
+// A place on a face, and how far it is from where it was sought.
+struct Near
+{
+  int face = -1;
+  Vector3 weights = Vector3::Zero();
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+Near nearIn(const Forest& forest, int f, const Vector3& at)
+{
+  const Vector3 &a = forest.cornerOf(f, 0), &b = forest.cornerOf(f, 1), &c = forest.cornerOf(f, 2);
+  const auto [wa, wb, wc] = closestWeights(a, b, c, at);
+  const Vector3 w(wa, wb, wc);
+  return { f, w, (w[0] * a + w[1] * b + w[2] * c - at).norm() };
+}
+
+// From face to face, over the edge or the corner that is nearest, while that comes nearer.
+Near walk(const Forest& forest, Near from, const Vector3& at)
+{
+  for (bool better = true; better;)
+  {
+    better = false;
+    const Near last = from;
+    const auto look = [&](int g)
+    {
+      const Near near = nearIn(forest, g, at);
+      if (near.distance < from.distance)
+      {
+        from = near;
+        better = true;
+      }
+    };
+    const Forest::Face& face = forest.faces[last.face];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (last.weights[k] == 1.0)
+      {
+        forest.star(face.v[k], [&](int g, int) { look(g); });
+      }
+      else if (last.weights[k] == 0.0 && face.n[k] >= 0)
+      {
+        look(face.n[k]);
+      }
+    }
+  }
+  return from;
+}
+
+// Places along a feature's crest, by which is told how well the mesh holds it: every twentieth of the radius
+// along a curve, a radius from either end excluded, the place on the mesh that is nearest there, sought from
+// faces that the curve passes through.
+std::vector<Binding> crestPlaces(const Forest& forest,
+  const FeatureCurve& curve,
+  double radius,
+  const std::vector<int>& passed)
+{
+  std::vector<Binding> places;
+  const double margin = curve.closed ? 0.0 : radius, length = curve.length - 2.0 * margin;
+  if (!(length > 0.0) || passed.empty())
+  {
+    return places;
+  }
+  const double wanted = length * stepsPerRadius / radius;
+  const int count = wanted < mostPlaces ? static_cast<int>(wanted) + 1 : mostPlaces;
+  Near near;
+  for (int i = 0; i < count; ++i)
+  {
+    const Vector3 at = curve.position(margin + (i + 0.5) * length / count);
+    if (near.face < 0)
+    {
+      for (const int f : passed)
+      {
+        const Near other = nearIn(forest, f, at);
+        near = other.distance < near.distance ? other : near;
+      }
+    }
+    near = walk(forest, nearIn(forest, near.face, at), at);
+    const int* v = forest.faces[near.face].v;
+    places.push_back({ { v[0], v[1], v[2] }, { near.weights[0], near.weights[1], near.weights[2] } });
+  }
+  return places;
 }
 
 } // namespace
@@ -238,21 +321,21 @@ CurvesReached reachedBy(const Forest& forest,
   checkCurves(curves);
   const std::vector<Shape> shapes = shapesOf(curves, options);
   const CurveSearch search(curves);
-  const Passage passage(forest, search, context);
+  const CrossedFaces crossed(forest, search, context);
   CurveReach reach(forest, search);
   CurvesReached reached;
-  reached.needed = NeededVertices(forest);
+  reached.needed = VerticesToKeep(forest);
   std::vector<char> changing(forest.vertices.size(), 0);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     reached.vertices.push_back(reach.find(
-      k, passage.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
-    reached.needed.add(forest, k, shapes[k].radius, reached.vertices.back(), passage);
+      k, crossed.faces(k), { shapes[k].radius, options.distance, options.connectedOnly }, context));
+    reached.needed.add(forest, k, shapes[k].radius, reached.vertices.back(), crossed);
     for (const Reached& r : reached.vertices.back())
     {
       changing[r.vertex] = 1;
     }
-    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, passage.faces(k));
+    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, crossed.faces(k));
     reached.crest.insert(reached.crest.end(), crest.begin(), crest.end());
   }
   for (std::size_t v = 0; v < forest.vertices.size(); ++v)
@@ -262,14 +345,8 @@ CurvesReached reachedBy(const Forest& forest,
   reached.changing = marked(changing);
   reached.faces = facesAround(forest, reached.changing);
   reached.normals.resize(reached.faces.size());
-  context.parallelFor(static_cast<int>(reached.faces.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        reached.normals[i] = forest.facetNormal(reached.faces[i]);
-      }
-    });
+  context.each(static_cast<int>(reached.faces.size()),
+    [&](int i) { reached.normals[i] = forest.facetNormal(reached.faces[i]); });
   return reached;
 }
 
@@ -304,14 +381,11 @@ DisplaceReport displace(const Forest& before,
   if (!options.sketch)
   {
     const bool base = options.along == RiseAlong::Base && before.hasBaseNormals;
-    context.parallelFor(static_cast<int>(rises.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(rises.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
-        {
-          const int v = rises[i].vertex;
-          rises[i].move = rises[i].along * (base ? before.vertices[v].baseNormal : before.vertexNormal(v));
-        }
+        const int v = rises[i].vertex;
+        rises[i].move = rises[i].along * (base ? before.vertices[v].baseNormal : before.vertexNormal(v));
       });
   }
   context.checkpoint(0.9);

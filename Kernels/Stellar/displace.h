@@ -1,12 +1,13 @@
 // Feature creation: vertices near feature curves rise along their normals, or follow a silhouette sketch
 // (section III-C.2 of "Sketch-based Adaptive Mesh Augmentation using Stellar Operators").
+// As published: Current, Sum, connectedOnly and holdBack off.
 #ifndef oversketch_kernels_stellar_displace_h
 #define oversketch_kernels_stellar_displace_h
 
 #include "Mesh/place.h"
 #include "Stellar/distance.h"
-#include "Stellar/needed.h"
 #include "Stellar/profile.h"
+#include "Stellar/vertices_to_keep.h"
 
 #include <optional>
 
@@ -19,26 +20,26 @@ struct Context;
 enum class RiseAlong
 {
   Base,   // baseNormal: those of the mesh as it was before the stroke (A3)
-  Current // of the leaves, as published: they turn where snapping left uneven triangles
+  Current // of the leaves: they turn where snapping left uneven triangles
 };
 
-// What holds where several curves reach a vertex.
+// The rule where several curves reach a vertex.
 enum class Combine
 {
   Nearest, // the curve with the least distance / radius, the lowest of equal ones, alone (A5)
-  Sum      // all of them, as published: crossings stand twice as high
+  Sum      // all of them: crossings stand twice as high
 };
 
 struct DisplaceOptions
 {
   double radius = 0.0; // r [model length], above 0; the curves' own go before it
   CurveDistance distance = CurveDistance::Straight;
-  bool connectedOnly = true;      // see ReachOptions; off: as published
+  bool connectedOnly = true;      // see ReachOptions
   double height = 0.0;            // h [model length], below 0 inward; the curves' own go before it
   double sharpness = 1.5;         // s of Eq. 1, not negative; the curves' own go before it
   std::optional<Profile> profile; // in place of Eq. 1, for all curves
   bool usePressure = false;       // h times the pen's pressure at the nearest point
-  bool holdBack = true; // heights end within the curves' room, see FeatureCurve::limits; off: as published
+  bool holdBack = true;           // heights end within the curves' room, see FeatureCurve::limits
   RiseAlong along = RiseAlong::Base;
   bool keepBaseNormals = false; // for the next stroke: what rises on a steep flank goes as that one went
   Combine combine = Combine::Nearest;
@@ -57,7 +58,7 @@ struct DisplaceReport
   // Points of curves where the room is less than the height, and the least of that, in shares of the height.
   int heldBack = 0;
   double leastShare = 1.0;
-  // Feature values along the curves, see crestPlaces: 1 where the mesh holds the crest. `crests`: how many.
+  // Feature values at places along the crests, 1 where the mesh holds them. `crests`: how many.
   double crestSum = 0.0, crestMinimum = 0.0;
   int crests = 0;
 };
@@ -67,8 +68,8 @@ struct DisplaceReport
 struct CurvesReached
 {
   std::vector<std::vector<Reached>> vertices; // per curve
-  std::vector<Binding> crest;                 // see crestPlaces
-  NeededVertices needed;                      // see there
+  std::vector<Binding> crest;                 // places along the crests
+  VerticesToKeep needed;                      // to keep where the mesh is simplified
   std::vector<int> changing;                  // vertices that a displacement writes: reached or snapped ones
   std::vector<int> faces;                     // round those, and their normals
   std::vector<Vector3> normals;
@@ -87,7 +88,7 @@ DisplaceReport displace(Forest& forest,
   const FeatureCurves& curves,
   const DisplaceOptions& options,
   const Context& context);
-// The same with what reachedBy gave for this forest, these curves and radii; `before` stays as it is.
+// Displaces by what reachedBy gave for this forest, these curves and radii; `before` stays as it is.
 // `after`: empty, or what this made of the same before: then only what is reached is written.
 DisplaceReport displace(const Forest& before,
   const FeatureCurves& curves,

@@ -212,44 +212,24 @@ void CurveReach::everywhere(const Context& context)
 {
   const int count = static_cast<int>(this->Mesh.vertices.size());
   std::vector<char> near(count, 0);
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
-      {
-        near[v] = this->Mesh.isVertex(v) && std::isfinite(this->straight(v).distance);
-      }
-    });
+  context.eachUntilCancelled(
+    count, [&](int v) { near[v] = this->Mesh.isVertex(v) && std::isfinite(this->straight(v).distance); });
   context.checkpoint(0.0);
-  for (int v = 0; v < count; ++v)
+  for (const int v : marked(near))
   {
-    if (near[v])
-    {
-      this->Found.push_back(this->straight(v));
-    }
+    this->Found.push_back(this->straight(v));
   }
 }
 
 std::vector<Reached> CurveReach::measured(const std::vector<int>& vertices, const Context& context)
 {
   std::vector<Reached> distances(vertices.size());
-  const auto measure = [&](int begin, int end)
-  {
-    for (int i = begin; i < end; ++i)
-    {
-      distances[i] = this->straight(vertices[i]);
-    }
-  };
   // What is known, or a small ring, is not worth waking threads for.
   const auto isNew = [this](int v) { return this->Known[v] < 0; };
-  if (std::count_if(vertices.begin(), vertices.end(), isNew) < 512)
-  {
-    measure(0, static_cast<int>(vertices.size()));
-  }
-  else
-  {
-    context.parallelFor(static_cast<int>(vertices.size()), measure);
-  }
+  const bool few = std::count_if(vertices.begin(), vertices.end(), isNew) < 512;
+  const Context serial;
+  (few ? serial : context)
+    .each(static_cast<int>(vertices.size()), [&](int i) { distances[i] = this->straight(vertices[i]); });
   context.checkpoint(0.0);
   for (const Reached& r : distances)
   {

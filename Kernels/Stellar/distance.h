@@ -48,7 +48,7 @@ public:
   // `follows`: follow() will tell of all that happens to the forest.
   CurveReach(const Forest& forest, const CurveSearch& search, bool follows = false);
 
-  // `faces`: that the curve passes through, see Passage. Ascending by vertex; valid until the next call.
+  // `faces`: that the curve passes through, see CrossedFaces. Ascending by vertex; valid until the next call.
   const std::vector<Reached>& find(int curve,
     const std::vector<int>& faces,
     const ReachOptions& options,
@@ -57,14 +57,14 @@ public:
   // Tells of faces that were split, before the next find().
   void follow(const std::vector<Forest::Birth>& births);
 
-  // Of the last curve: a vertex's distance, infinite where it is not reached.
+  // Distance of a vertex from the last curve, infinite where it is not reached.
   double distance(int vertex) const;
-  // And how far the middle of an edge is, by the same measure; infinite where that is farther than the
+  // Distance of the middle of an edge, by the same measure; infinite where that is farther than the
   // radius.
   double distanceOfMiddle(int a, int b) const;
 
 private:
-  // What one curve measured in its last search, in any order, and what it found while another one is
+  // Measures of one curve in its last search, in any order, and what it found while another one is
   // searched. isWhole: that hangs together, and but for those `born` the forest is as it was.
   struct Memory
   {

@@ -1,6 +1,6 @@
 #include "Harness/forest_shapes.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/distance.h"
-#include "Stellar/passage.h"
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ std::vector<Reached> reachedBy(const Forest& forest,
   const Context& context = Context())
 {
   const CurveSearch search(curves);
-  const Passage passage(forest, search, context);
-  return CurveReach(forest, search).find(0, passage.faces(0), options, context);
+  const CrossedFaces crossed(forest, search, context);
+  return CurveReach(forest, search).find(0, crossed.faces(0), options, context);
 }
 
 // A cylinder of radius 1 round the z axis, and a line along it at angle 0, with normals.
@@ -32,12 +32,12 @@ FeatureCurve lineAlongCylinder(double length)
 
 } // namespace
 
-TEST(Passage, FacesAreThoseThatALineCrosses)
+TEST(CrossedFaces, FacesAreThoseThatALineCrosses)
 {
   const Forest forest = quadForest(8, 8);
   const FeatureCurves curves{ featureCurve({ { 0.03, 0.3, 0 }, { 0.91, 0.62, 0 } }) };
   const CurveSearch search(curves);
-  const std::vector<int> faces = Passage(forest, search, Context()).faces(0);
+  const std::vector<int> faces = CrossedFaces(forest, search, Context()).faces(0);
   // Sampled densely: what holds a sample is passed through.
   std::set<int> expected;
   for (int i = 0; i <= 100000; ++i)
@@ -50,7 +50,7 @@ TEST(Passage, FacesAreThoseThatALineCrosses)
   EXPECT_EQ(faces, std::vector<int>(expected.begin(), expected.end()));
 }
 
-TEST(Passage, OtherSheetsAndTheFarSideOfAPlateAreNotPassed)
+TEST(CrossedFaces, OtherSheetsAndTheFarSideOfAPlateAreNotPassed)
 {
   // Three sheets closer to each other than their edges are long; the line is on the middle one.
   Mesh sheets = quadPairs(4, 4);
@@ -61,7 +61,7 @@ TEST(Passage, OtherSheetsAndTheFarSideOfAPlateAreNotPassed)
   const Forest forest = forestOfPairs(sheets);
   const FeatureCurves curves{ featureCurve({ { 0.1, 0.3, 0 }, { 0.5, 0.35, 0 }, { 0.9, 0.3, 0 } }) };
   const CurveSearch search(curves);
-  const std::vector<int> faces = Passage(forest, search, Context()).faces(0);
+  const std::vector<int> faces = CrossedFaces(forest, search, Context()).faces(0);
   EXPECT_FALSE(faces.empty());
   for (int f : faces)
   {
@@ -78,7 +78,7 @@ TEST(Passage, OtherSheetsAndTheFarSideOfAPlateAreNotPassed)
   const Forest thin = baseOf(plate);
   const FeatureCurves along{ up };
   const CurveSearch alongSearch(along);
-  const std::vector<int> outer = Passage(thin, alongSearch, Context()).faces(0);
+  const std::vector<int> outer = CrossedFaces(thin, alongSearch, Context()).faces(0);
   EXPECT_FALSE(outer.empty());
   for (int f : outer)
   {
@@ -86,28 +86,29 @@ TEST(Passage, OtherSheetsAndTheFarSideOfAPlateAreNotPassed)
   }
 }
 
-TEST(Passage, GoesOnToTheChildren)
+TEST(CrossedFaces, GoesOnToTheChildren)
 {
   Forest forest = quadForest(4, 4);
   const FeatureCurves curves{ featureCurve({ { 0.05, 0.3, 0 }, { 0.4, 0.71, 0 }, { 0.95, 0.12, 0 } }) };
   const CurveSearch search(curves);
-  Passage passage(forest, search, Context());
+  CrossedFaces crossed(forest, search, Context());
   std::mt19937 random(3);
   for (int i = 0; i < 200; ++i)
   {
     std::vector<Forest::Birth> births;
     forest.refine(anyFace(forest, random), {}, &births);
-    passage.follow(births);
+    crossed.follow(births);
   }
-  EXPECT_EQ(passage.faces(0), Passage(forest, search, twoThreads()).faces(0));
+  EXPECT_EQ(crossed.faces(0), CrossedFaces(forest, search, twoThreads()).faces(0));
 }
 
-TEST(Passage, ACurveThatFloatsStillFindsTheSurface)
+TEST(CrossedFaces, ACurveThatFloatsStillFindsTheSurface)
 {
   const Forest forest = quadForest(16, 16);
   const FeatureCurves curves{ featureCurve({ { 0.1, 0.3, 0.2 }, { 0.9, 0.3, 0.2 } }) };
   const CurveSearch search(curves);
-  EXPECT_EQ(Passage(forest, search, Context()).faces(0).size(), 27u); // 13 cells of two, and the half of one
+  EXPECT_EQ(
+    CrossedFaces(forest, search, Context()).faces(0).size(), 27u); // 13 cells of two, and the half of one
 }
 
 TEST(Distance, AFrontBehindAnEdgeIsExactInThePlane)
@@ -263,7 +264,7 @@ TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
     const FeatureCurves curves{ featureCurve({ place(), place(), place() }),
       featureCurve({ place(), place() }) };
     const CurveSearch search(curves);
-    Passage passage(forest, search, Context());
+    CrossedFaces crossed(forest, search, Context());
     CurveReach followed(forest, search, true);
     const MidpointRule far{ nullptr,
       [&](const SourcePlace& at) { return Vector3(at.position + Vector3(0, 0, unit(random) < 0.6)); },
@@ -274,8 +275,8 @@ TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
       for (int k = 0; k < 2; ++k)
       {
         CurveReach anew(forest, search);
-        const std::vector<Reached>& all = anew.find(k, passage.faces(k), options, Context());
-        const std::vector<Reached>& kept = followed.find(k, passage.faces(k), options, twoThreads());
+        const std::vector<Reached>& all = anew.find(k, crossed.faces(k), options, Context());
+        const std::vector<Reached>& kept = followed.find(k, crossed.faces(k), options, twoThreads());
         ASSERT_EQ(kept.size(), all.size()) << "run " << run << ", sweep " << sweep << ", curve " << k;
         found += all.size();
         for (std::size_t i = 0; i < all.size(); ++i)
@@ -291,7 +292,7 @@ TEST(Distance, WhatIsFollowedIsWhatIsFoundAnew)
       {
         forest.refine(anyFace(forest, random), run % 2 ? MidpointRule() : far, &births);
       }
-      passage.follow(births);
+      crossed.follow(births);
       followed.follow(births);
     }
   }

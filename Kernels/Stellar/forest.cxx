@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace oversketch
 {
@@ -373,11 +374,34 @@ SourcePlace Forest::place(int v) const
   return { this->faces[lowest].root, weights[this->corner(lowest, v)], this->vertices[v].position };
 }
 
+Forest::FacePlace Forest::inStar(int v, const Vector3& place) const
+{
+  FacePlace best;
+  double most = -std::numeric_limits<double>::infinity(); // the least weight
+  this->star(v,
+    [&](int f, int)
+    {
+      const Vector3& p = this->cornerOf(f, 0);
+      const Vector3 x = this->cornerOf(f, 1) - p, y = this->cornerOf(f, 2) - p, up = x.cross(y);
+      const double squared = up.squaredNorm();
+      if (squared > 0.0)
+      {
+        const double wx = (place - p).cross(y).dot(up) / squared, wy = x.cross(place - p).dot(up) / squared;
+        const Vector3 weights(1.0 - wx - wy, wx, wy);
+        if (weights.minCoeff() > most)
+        {
+          most = weights.minCoeff();
+          best = { f, weights };
+        }
+      }
+    });
+  return best;
+}
+
 Vector3 Forest::facetNormal(int f) const
 {
-  const Face& face = this->faces[f];
-  const Vector3& p = this->vertices[face.v[0]].position;
-  const Vector3 n = (this->vertices[face.v[1]].position - p).cross(this->vertices[face.v[2]].position - p);
+  const Vector3& p = this->cornerOf(f, 0);
+  const Vector3 n = (this->cornerOf(f, 1) - p).cross(this->cornerOf(f, 2) - p);
   const double length = n.norm();
   return length > 0.0 ? Vector3(n / length) : Vector3::Zero();
 }
@@ -498,15 +522,11 @@ void needBaseNormals(Forest& forest, const Context& context)
   {
     return;
   }
-  context.parallelFor(static_cast<int>(forest.vertices.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(forest.vertices.size()),
+    [&](int v)
     {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
+      if (forest.isVertex(v))
       {
-        if (!forest.isVertex(v))
-        {
-          continue;
-        }
         forest.vertices[v].baseNormal = forest.vertexNormal(v);
       }
     });

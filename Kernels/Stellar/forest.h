@@ -26,8 +26,8 @@ struct SourcePlace
 // Where the original surface is at a place.
 using Source = std::function<Vector3(const SourcePlace&)>;
 
-// What a new vertex follows, in this order: the curve that both ends of its edge are snapped to; the source,
-// if both ends lie on it; else the middle of its edge.
+// The rule for a new vertex, which follows, in this order: the curve that both ends of its edge are snapped
+// to; the source, if both ends lie on it; else the middle of its edge.
 struct MidpointRule
 {
   const FeatureCurves* curves = nullptr; // that the vertices' curveId means
@@ -78,7 +78,7 @@ public:
   int rootCount = 0;
   bool hasBaseNormals = false;
   bool closed = false; // known to have no boundary, which no split or weld makes
-  // What the last displacement moved each vertex by, and its feature value; empty where there was none.
+  // The way that the last displacement moved each vertex, and its feature value; empty where there was none.
   std::vector<Vector3> displacement;
   std::vector<double> feature;
 
@@ -187,6 +187,16 @@ public:
   // A vertex for a source: in the lowest root that it touches.
   SourcePlace place(int v) const;
 
+  // The face of a star that a place is over, or is the least beside, and the weights of its corners there;
+  // face -1 where none has area.
+  struct FacePlace
+  {
+    int face = -1;
+    Vector3 weights = Vector3::Zero();
+  };
+  FacePlace inStar(int v, const Vector3& place) const;
+
+  const Vector3& cornerOf(int f, int i) const { return this->vertices[this->faces[f].v[i]].position; }
   Vector3 facetNormal(int f) const; // unit, zero for a face without area
   // Unit normal of a star, each face weighted by its angle at the vertex; zero for a star without area.
   Vector3 vertexNormal(int v) const;
@@ -196,7 +206,7 @@ public:
   // edge has more than two faces or two with the same direction.
   void connect(const Context& context);
 
-  // What is wrong with the mesh's structure, or an empty string: edges, generations, levels, stars.
+  // Tells what is wrong with the mesh's structure, or an empty string: edges, generations, levels, stars.
   std::string broken() const;
 
 private:

@@ -301,19 +301,16 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
     ++corners[face.v[2]];
   }
   std::vector<int> misfit(forest.faces.size(), -1);
-  context.parallelFor(static_cast<int>(misfit.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(misfit.size()),
+    [&](int f)
     {
-      for (int f = begin; f < end; ++f)
+      const Forest::Face& face = forest.faces[f];
+      for (int i = 2; i >= 0; --i)
       {
-        const Forest::Face& face = forest.faces[f];
-        for (int i = 2; i >= 0; --i)
+        const int g = face.n[i];
+        if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != f))
         {
-          const int g = face.n[i];
-          if (g >= 0 && face.gen + (i > 0) != forest.faces[g].gen + (forest.faces[g].n[0] != f))
-          {
-            misfit[f] = g;
-          }
+          misfit[f] = g;
         }
       }
     });
@@ -324,16 +321,13 @@ void checkFit(const Forest& forest, const std::vector<char>& sides, const Contex
   }
   context.checkpoint(0.8);
   std::vector<char> bad(forest.vertices.size(), 0);
-  context.parallelFor(static_cast<int>(forest.vertices.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(forest.vertices.size()),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        const int* parents = forest.vertices[v].parents;
-        bad[v] = sides[v] < 0    ? reached(forest, v) != corners[v]
-                 : sides[v] == 1 ? forest.faceWithEdge(parents[0], parents[1]) >= 0
-                                 : 0;
-      }
+      const int* parents = forest.vertices[v].parents;
+      bad[v] = sides[v] < 0    ? reached(forest, v) != corners[v]
+               : sides[v] == 1 ? forest.faceWithEdge(parents[0], parents[1]) >= 0
+                               : 0;
     });
   context.checkpoint(0.9);
   const auto found = std::find(bad.begin(), bad.end(), 1);

@@ -37,7 +37,7 @@ struct Leaves
   std::vector<double> feature;       // points: Feature, optional
 };
 
-// Of a canonical forest: point i is vertex i, cell i is face i.
+// Leaves of a canonical forest: point i is vertex i, cell i is face i.
 Leaves emit(const Forest& canonical);
 
 // The canonical forest of which these are the leaves, to the bit. Throws Error(MissingArray or BadMesh) that

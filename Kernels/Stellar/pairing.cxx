@@ -58,11 +58,7 @@ public:
     , Rank(adjacency.edges.size())
   {
     // A power of two brings squares of tiny and huge lengths within range and changes no order.
-    Eigen::AlignedBox3d box;
-    for (const Vector3& p : mesh.points)
-    {
-      box.extend(p);
-    }
+    const Eigen::AlignedBox3d box = boxRound(mesh.points);
     const double size = box.isEmpty() ? 0.0 : box.sizes().maxCoeff();
     const double scale = size > 0.0 ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
     std::vector<std::pair<double, int>> order;

@@ -1,4 +1,4 @@
-// What a simplified surface was: from a place on it to the original surface and back.
+// The original of a simplified surface: from a place on it to the original surface and back.
 #ifndef oversketch_kernels_stellar_parametrisation_h
 #define oversketch_kernels_stellar_parametrisation_h
 
@@ -70,7 +70,7 @@ std::vector<SourceRoot> sourceRoots(const std::vector<int>& faces,
   const BaseMesh& base,
   const Mesh& simplified);
 
-// What the roots of a forest were before the simplification.
+// The roots of a forest before the simplification.
 struct OriginalSurface
 {
   Parametrisation records;
@@ -91,7 +91,7 @@ Parametrisation readRecords(const Mesh& original,
   const std::vector<int>& oldFaces,
   const std::vector<int>& flatVertex,
   const std::vector<Vector2>& flat);
-// The same for the roots, which are faces that are still there.
+// Checks the roots, which are faces that are still there.
 void checkRoots(const OriginalSurface& surface);
 
 // Puts the points that pairing added, which are middles of chords, on the source.

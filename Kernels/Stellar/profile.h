@@ -1,9 +1,10 @@
 // How high a feature stands at a distance from its curve: Eq. 1 of "Sketch-based Adaptive Mesh Augmentation
-// using Stellar Operators", or a polyline in its place.
+// using Stellar Operators", or a polyline in its place; and what is drawn of it while the pen is down.
 #ifndef oversketch_kernels_stellar_profile_h
 #define oversketch_kernels_stellar_profile_h
 
 #include "Mesh/graph.h"
+#include "Stellar/curves.h"
 
 #include <optional>
 #include <string>
@@ -30,6 +31,22 @@ private:
   double Sharpness;
   std::optional<Graph> Line; // in place of Eq. 1
 };
+
+// Three lines with a point for each point of a curve.
+struct FeaturePreview
+{
+  std::vector<Vector3> crest;       // C + h n, with the pen's pressure, or the silhouette sketch
+  std::vector<Vector3> left, right; // where the feature ends, r to either side in the tangent plane of C
+};
+
+// Takes the curve's own radius and height before those given [model length]. A point without a normal (the
+// curve has none, or it is zero) has its crest on the curve, and both feet too. `sketch`: as in
+// DisplaceOptions, of this curve. Throws Error(BadStroke) as displace does.
+FeaturePreview previewFeature(const FeatureCurve& curve,
+  double radius,
+  double height,
+  bool usePressure = false,
+  const std::vector<Vector3>* sketch = nullptr);
 
 } // namespace oversketch
 #endif

@@ -1,5 +1,6 @@
 #include "Stellar/profile.h"
 
+#include "Harness/feature_shapes.h"
 #include "Mesh/context.h"
 
 #include <gtest/gtest.h>
@@ -7,6 +8,7 @@
 #include <limits>
 
 using namespace oversketch;
+using namespace oversketch_test;
 
 namespace
 {
@@ -70,4 +72,57 @@ TEST(Profile, RefusesWhatIsNone)
   expectNoProfile("0 1, 0.5 1, 0.5 0, 1 0", "Point 2 of the profile has an x that is not above");
   expectNoProfile("0 1, 0.9 0", "not at x = 1");
   expectNoProfile("0 1, 1 0, 2 0", "not at x = 1");
+}
+
+TEST(Preview, StandsOnTheCurveAndEndsAtTheRadius)
+{
+  // The equator of the unit sphere: the crest is a wider circle, the feet are parallel ones in its tangent
+  // planes.
+  std::vector<Vector3> ring(90);
+  for (int i = 0; i < 90; ++i)
+  {
+    ring[i] = { std::cos(2.0 * pi * i / 90.0), std::sin(2.0 * pi * i / 90.0), 0.0 };
+  }
+  FeatureCurve curve = featureCurve(ring, true);
+  curve.normals = ring;
+  curve.pressure.assign(90, 0.5);
+  const FeaturePreview plain = previewFeature(curve, 0.1, 0.2),
+                       pressed = previewFeature(curve, 0.1, 0.2, true);
+  ASSERT_EQ(plain.crest.size(), 90u);
+  for (int i = 0; i < 90; ++i)
+  {
+    EXPECT_LT((plain.crest[i] - 1.2 * ring[i]).norm(), 1e-14);
+    EXPECT_LT((pressed.crest[i] - 1.1 * ring[i]).norm(), 1e-14);
+    EXPECT_LT((plain.left[i] - ring[i] - Vector3(0, 0, 0.1)).norm(), 1e-14);
+    EXPECT_LT((plain.right[i] - ring[i] + Vector3(0, 0, 0.1)).norm(), 1e-14);
+  }
+  curve.radius = 0.3;
+  curve.height = -0.5;
+  const FeaturePreview own = previewFeature(curve, 0.1, 0.2, false, &ring);
+  EXPECT_NEAR(own.left[7].z(), 0.3, 1e-14);
+  EXPECT_EQ(own.crest[7], ring[7]);
+  EXPECT_LT((previewFeature(curve, 0.1, 0.2).crest[7] - 0.5 * ring[7]).norm(), 1e-14);
+}
+
+TEST(Preview, OpenBentAndBareCurves)
+{
+  FeatureCurve curve = featureCurve({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 1, 2, 0 } });
+  EXPECT_EQ(previewFeature(curve, 1.0, 5.0).crest, curve.points);
+  EXPECT_EQ(previewFeature(curve, 1.0, 5.0).left, curve.points);
+  curve.normals.assign(4, Vector3(0, 0, 2));
+  const FeaturePreview preview = previewFeature(curve, 1.0, 5.0);
+  EXPECT_LT((preview.left[0] - Vector3(0, 1, 0)).norm(), 1e-15);
+  EXPECT_LT((preview.left[3] - Vector3(0, 2, 0)).norm(), 1e-15);
+  EXPECT_EQ(preview.crest[3], Vector3(1, 2, 5));
+}
+
+TEST(Preview, RefusesWhatDisplaceDoes)
+{
+  const FeatureCurve curve = featureCurve({ { 0, 0, 0 }, { 1, 0, 0 } });
+  const std::vector<Vector3> one(1);
+  EXPECT_THROW(previewFeature(curve, 0.0, 1.0), Error);
+  EXPECT_THROW(previewFeature(curve, std::nan(""), 1.0), Error);
+  EXPECT_THROW(previewFeature(curve, 1.0, std::nan("")), Error);
+  EXPECT_THROW(previewFeature(curve, 1.0, 1.0, false, &one), Error);
+  EXPECT_THROW(previewFeature(featureCurve({ { 0, 0, 0 } }), 1.0, 1.0), Error);
 }

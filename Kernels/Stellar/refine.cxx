@@ -2,8 +2,8 @@
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/leaves.h"
-#include "Stellar/passage.h"
 #include "Stellar/quality.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct Mark
   std::uint64_t path;
 };
 
-// What one curve asks of the faces near it.
+// A curve's demand of the faces near it.
 struct Demand
 {
   double radius, sharpness, edgeLength;
@@ -161,8 +161,7 @@ public:
     {
       this->Born.insert(this->Born.end(), { birth.parent, birth.child });
     }
-    std::sort(this->Born.begin(), this->Born.end());
-    this->Born.erase(std::unique(this->Born.begin(), this->Born.end()), this->Born.end());
+    sortUnique(this->Born);
   }
 
 private:
@@ -285,7 +284,7 @@ private:
   const RefineOptions& Options;
   const Context& Run;
   CurveSearch Search;
-  Passage Passes;
+  CrossedFaces Passes;
   CurveReach Reach;
   int FacesBefore;
   std::vector<Demand> Demands;               // of each curve
@@ -299,12 +298,7 @@ private:
 void checkRefineOptions(const FeatureCurves& curves, const RefineOptions& options)
 {
   checkCurves(curves);
-  const bool all =
-    std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
-  if (!all && !(options.radius > 0.0 && std::isfinite(options.radius)))
-  {
-    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
-  }
+  checkRadius(curves, options.radius);
   if (!std::isfinite(options.targetEdgeLength))
   {
     throw Error(Failure::BadStroke, "The {targetEdgeLength} must be a finite number.");
@@ -423,17 +417,14 @@ Forest refineToSource(const Forest& forest,
     const Forest::Face& face = work.faces[f];
     Vector3 weights[3];
     work.rootWeights(f, weights);
-    const auto at = [&](int k) -> const Vector3& { return work.vertices[face.v[k]].position; };
+    const auto at = [&](int k) -> const Vector3& { return work.cornerOf(f, k); };
     const SourcePlace middles[] = { { face.root, 0.5 * (weights[1] + weights[2]), 0.5 * (at(1) + at(2)) },
       { face.root, (weights[0] + weights[1] + weights[2]) / 3.0, (at(0) + at(1) + at(2)) / 3.0 } };
     // The way back may lead aside of a middle, which is no deviation: how far it is from the leaves there.
     const auto farFrom = [&](int g, const Vector3& place)
     {
-      const int* v = work.faces[g].v;
-      return squaredDistance(work.vertices[v[0]].position,
-               work.vertices[v[1]].position,
-               work.vertices[v[2]].position,
-               place) > options.tolerance * options.tolerance;
+      return squaredDistance(work.cornerOf(g, 0), work.cornerOf(g, 1), work.cornerOf(g, 2), place) >
+             options.tolerance * options.tolerance;
     };
     return std::any_of(std::begin(middles),
       std::end(middles),
@@ -471,8 +462,7 @@ Forest refineToSource(const Forest& forest,
     {
       faces.insert(faces.end(), { birth.parent, birth.child });
     }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    sortUnique(faces);
   }
   return canonical(work, context).forest;
 }

@@ -11,6 +11,7 @@ namespace oversketch
 {
 
 // Lengths are model lengths; what a curve says itself goes before them.
+// As published fineFoot, connectedOnly and seedCurveFaces are off.
 struct RefineOptions
 {
   double radius = 0.0; // above 0; faces with a vertex nearer than this to a curve are refined
@@ -20,15 +21,15 @@ struct RefineOptions
   // a thirty-second (ours), which else show saw-teeth; where one curve ends within another's reach
   // there is no foot, since the nearest curve counts alone. Where the sharpness is above 2 an eighth (ours):
   // on a quarter more than half of the height is lost beside the crest, whose flanks look torn. fineFoot off:
-  // a quarter everywhere, as published.
+  // a quarter everywhere.
   double targetEdgeLength = 0.0;
   bool fineFoot = true;
   CurveDistance distance = CurveDistance::Straight;
-  bool connectedOnly = true;  // see ReachOptions; off: as published
-  bool seedCurveFaces = true; // refine also faces that a curve passes through; off: as published
+  bool connectedOnly = true;  // see ReachOptions
+  bool seedCurveFaces = true; // refine also faces that a curve passes through
   int maximumGeneration = 16; // 0 to 62; no leaf exceeds it
-  // That may be added, each of which takes some 900 bytes on the way (ours; 16 million in all would take 14
-  // GB). What needs twice as many or more is foreseen.
+  // Faces that may be added, each of which takes some 900 bytes on the way (ours; 16 million in all would
+  // take 14 GB). What needs twice as many or more is foreseen.
   int maximumFaces = 4000000;
 };
 

@@ -2,8 +2,8 @@
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/leaves.h"
-#include "Stellar/passage.h"
 
 #include <algorithm>
 #include <cassert>
@@ -41,7 +41,7 @@ double errorOf(const Forest& forest, int w)
   return isFlat ? std::numeric_limits<double>::infinity() : error;
 }
 
-// Of the surface before the last displacement.
+// Marks of what curves need of the surface before the last displacement.
 std::vector<char> neededOf(const Forest& forest,
   const FeatureCurves& curves,
   const SimplifyOptions& options,
@@ -72,7 +72,7 @@ std::vector<char> neededOf(const Forest& forest,
   {
     before.vertices[v].position = putBack(forest, v);
   }
-  std::vector<char> why = neededVertices(before, curves, reach, context).why;
+  std::vector<char> why = verticesToKeep(before, curves, reach, context).why;
   assert(!known || why == from->reached.needed.why);
   return why;
 }
@@ -84,14 +84,7 @@ void checkSimplifyOptions(const FeatureCurves& curves, const SimplifyOptions& op
   {
     throw Error(Failure::BadMesh, "The {tolerance} must be zero or a positive number.");
   }
-  for (const FeatureCurve& c : curves)
-  {
-    const double radius = c.radius.value_or(options.radius);
-    if (!(radius > 0.0 && std::isfinite(radius)))
-    {
-      throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
-    }
-  }
+  checkRadius(curves, options.radius);
 }
 
 } // namespace
@@ -127,18 +120,15 @@ std::optional<Forest> simplify(const Forest& forest,
     const std::vector<int>& candidates = levels[level];
     const Forest& now = work ? *work : forest;
     std::vector<char> goes(candidates.size(), 0);
-    context.parallelFor(static_cast<int>(candidates.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(candidates.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
+        const int w = candidates[i];
+        if (now.weldable(w))
         {
-          const int w = candidates[i];
-          if (now.weldable(w))
-          {
-            bool far = true;
-            now.link(w, [&](int u) { far = far && !(near[u] & NeededVertices::Within); });
-            goes[i] = far && errorOf(now, w) < options.tolerance;
-          }
+          bool far = true;
+          now.link(w, [&](int u) { far = far && !(near[u] & VerticesToKeep::Within); });
+          goes[i] = far && errorOf(now, w) < options.tolerance;
         }
       });
     context.checkpoint(1.0 - 0.6 * static_cast<double>(level) / static_cast<double>(levels.size()));

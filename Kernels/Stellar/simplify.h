@@ -22,7 +22,7 @@ struct SimplifyOptions
   bool connectedOnly = true;
 };
 
-// What a forest was before the last displacement, and what curves reached of it.
+// A forest before the last displacement, and what curves reached of it.
 struct DisplacedFrom
 {
   const Forest& before;

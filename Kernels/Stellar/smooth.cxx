@@ -4,7 +4,6 @@
 #include "Stellar/quality.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace oversketch
 {
@@ -17,16 +16,11 @@ std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::ve
 {
   const int slots = static_cast<int>(forest.vertices.size());
   std::vector<char> chosen(slots, 0);
-  std::vector<int> all, ring;
   for (int v = 0; v < slots; ++v)
   {
-    if (rings < 0 ? forest.isVertex(v) : forest.vertices[v].curveId >= 0)
-    {
-      chosen[v] = 1;
-      all.push_back(v);
-    }
+    chosen[v] = rings < 0 ? forest.isVertex(v) : forest.vertices[v].curveId >= 0;
   }
-  ring = all;
+  std::vector<int> ring = marked(chosen);
   for (int i = 0; i < rings && !ring.empty(); ++i)
   {
     std::vector<int> next;
@@ -42,9 +36,9 @@ std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::ve
           }
         });
     }
-    all.insert(all.end(), next.begin(), next.end());
     ring = std::move(next);
   }
+  std::vector<int> all = marked(chosen);
   const auto pinned = [&](int v)
   {
     const Forest::Vertex& vertex = forest.vertices[v];
@@ -52,7 +46,6 @@ std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::ve
            forest.onSeam(v, parts);
   };
   all.erase(std::remove_if(all.begin(), all.end(), pinned), all.end());
-  std::sort(all.begin(), all.end());
   return all;
 }
 
@@ -80,33 +73,16 @@ Vector3 onSource(const Forest& forest, int v, const Vector3& to, const MidpointR
   {
     return to;
   }
-  SourcePlace place;
-  double best = -std::numeric_limits<double>::infinity(); // the least weight in the face that holds it
-  forest.star(v,
-    [&](int f, int)
-    {
-      const int* c = forest.faces[f].v;
-      const Vector3& p = forest.vertices[c[0]].position;
-      const Vector3 x = forest.vertices[c[1]].position - p, y = forest.vertices[c[2]].position - p;
-      const Vector3 normal = x.cross(y);
-      const double squared = normal.squaredNorm();
-      if (!(squared > 0.0))
-      {
-        return;
-      }
-      const double wx = (to - p).cross(y).dot(normal) / squared, wy = x.cross(to - p).dot(normal) / squared;
-      const double least = std::min({ wx, wy, 1.0 - wx - wy });
-      if (least > best)
-      {
-        best = least;
-        Vector3 weights[3];
-        forest.rootWeights(f, weights);
-        place = {
-          forest.faces[f].root, (1.0 - wx - wy) * weights[0] + wx * weights[1] + wy * weights[2], to
-        };
-      }
-    });
-  return place.root >= 0 ? source.source(place) : to;
+  const Forest::FacePlace at = forest.inStar(v, to);
+  if (at.face < 0)
+  {
+    return to;
+  }
+  Vector3 weights[3];
+  forest.rootWeights(at.face, weights);
+  return source.source({ forest.faces[at.face].root,
+    at.weights[0] * weights[0] + at.weights[1] * weights[1] + at.weights[2] * weights[2],
+    to });
 }
 
 } // namespace
@@ -131,14 +107,11 @@ SmoothReport smooth(Forest& forest,
   for (int iteration = 0; iteration < options.iterations; ++iteration)
   {
     context.checkpoint(static_cast<double>(iteration) / options.iterations);
-    context.parallelFor(static_cast<int>(vertices.size()),
-      [&](int begin, int end)
+    context.eachUntilCancelled(static_cast<int>(vertices.size()),
+      [&](int i)
       {
-        for (int i = begin; i < end && !context.cancelled(); ++i)
-        {
-          const Vector3 to = smoothed(forest, vertices[i], options.relaxation);
-          wanted[i] = source.source ? onSource(forest, vertices[i], to, source) : to;
-        }
+        const Vector3 to = smoothed(forest, vertices[i], options.relaxation);
+        wanted[i] = source.source ? onSource(forest, vertices[i], to, source) : to;
       });
     context.checkpoint((iteration + 0.5) / options.iterations);
     for (std::size_t i = 0; i < vertices.size(); ++i)

@@ -4,7 +4,8 @@
 // number). CGAL's starts by its own k-means.
 #include "benchmark_frame.h"
 
-#include "Mixture/device_mixture.h"
+#include "Mixture/mixture.h"
+#include "OpenCL/device.h"
 
 #include <CGAL/Surface_mesh_segmentation/internal/Expectation_maximization.h>
 

@@ -5,7 +5,6 @@
 #include "sparse_peers.h"
 
 #include "Sparse/cholesky.h"
-#include "Sparse/drag.h"
 #include "Sparse/laplacian.h"
 
 #include <Eigen/SparseCholesky>

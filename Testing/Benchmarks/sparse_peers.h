@@ -3,7 +3,7 @@
 #define oversketch_testing_benchmarks_sparse_peers_h
 
 #include "Mesh/context.h"
-#include "Sparse/block_matrix.h"
+#include "Sparse/elimination.h"
 
 #include "vtkSMPTools.h"
 

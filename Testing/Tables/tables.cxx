@@ -5,8 +5,8 @@
 
 #include "Harness/polydata.h"
 
-#include "Mixture/device_mixture.h"
 #include "Mixture/mixture.h"
+#include "OpenCL/device.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchLaplacianDeform.h"
 #include "vtkOversketchRemesh.h"

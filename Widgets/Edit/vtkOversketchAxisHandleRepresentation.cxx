@@ -7,7 +7,7 @@
 #include "Matrix/moved.h"
 #include "Matrix/operations.h"
 #include "Mesh/context.h"
-#include "Mesh/pixel.h"
+#include "Mesh/view.h"
 #include "vtkOversketchChains.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"

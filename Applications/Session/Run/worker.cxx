@@ -6,7 +6,6 @@
 #include "session_file.h"
 #include "step_lines.h"
 
-#include "Mesh/backend.h"
 #include "Mesh/context.h"
 #include "Stroke/canvas.h"
 #include "vtkOversketchFilterTools.h"

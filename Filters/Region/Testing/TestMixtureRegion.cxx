@@ -183,9 +183,9 @@ TEST(A8_3, RegionShrinksWithLambdaAndIsABalance)
     for (int v = 0; v < p.mesh.vertexCount(); ++v)
     {
       int selected = 0, unselected = 0;
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        ++(region[*n] ? selected : unselected);
+        ++(region[n] ? selected : unselected);
       }
       const double q = probability->GetComponent(v, 0);
       if (!region[v] && selected > 0)

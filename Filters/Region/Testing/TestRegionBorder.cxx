@@ -22,9 +22,9 @@ struct Count
 Count neighboursOf(const Adjacency& adjacency, const std::vector<char>& region, int v)
 {
   Count count;
-  for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+  for (const int n : adjacency.vertexVertices[v])
   {
-    ++(region[*n] ? count.inside : count.outside);
+    ++(region[n] ? count.inside : count.outside);
   }
   return count;
 }
@@ -56,12 +56,12 @@ std::vector<char> randomRegion(const Adjacency& adjacency, int vertices, unsigne
       std::vector<int> next;
       for (int v : front)
       {
-        for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+        for (const int n : adjacency.vertexVertices[v])
         {
-          if (!region[*n] && generator() % 3 > 0)
+          if (!region[n] && generator() % 3 > 0)
           {
-            region[*n] = 1;
-            next.push_back(*n);
+            region[n] = 1;
+            next.push_back(n);
           }
         }
       }
@@ -184,9 +184,9 @@ TEST(RegionBorder, ConfinementStopsTheRunAwayAlongALattice)
       {
         // Within one ring of a vertex that has a selected neighbour.
         bool near = neighboursOf(adjacency, region, v).inside > 0;
-        for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+        for (const int n : adjacency.vertexVertices[v])
         {
-          near = near || neighboursOf(adjacency, region, *n).inside > 0;
+          near = near || neighboursOf(adjacency, region, n).inside > 0;
         }
         EXPECT_TRUE(near);
       }
@@ -206,9 +206,9 @@ TEST(RegionBorder, SeedsStayAndPiecesWithoutOneGo)
     far = mesh.points[v].dot(mesh.points[5]) < mesh.points[far].dot(mesh.points[5]) ? v : far;
   }
   region[far] = 1;
-  for (const int* n = adjacency.vertexVertices.begin(far); n != adjacency.vertexVertices.end(far); ++n)
+  for (const int n : adjacency.vertexVertices[far])
   {
-    region[*n] = 1;
+    region[n] = 1;
   }
   const std::vector<char> smooth = oversketch::smoothBorder(adjacency, seeds, region, 2);
   EXPECT_TRUE(smooth[5]);

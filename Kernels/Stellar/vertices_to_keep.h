@@ -1,9 +1,9 @@
 // Vertices of a 4-8 mesh that feature curves need, which simplification keeps.
-#ifndef oversketch_kernels_stellar_needed_h
-#define oversketch_kernels_stellar_needed_h
+#ifndef oversketch_kernels_stellar_vertices_to_keep_h
+#define oversketch_kernels_stellar_vertices_to_keep_h
 
+#include "Stellar/crossed_faces.h"
 #include "Stellar/distance.h"
-#include "Stellar/passage.h"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace oversketch
 
 struct Context;
 
-struct NeededVertices
+struct VerticesToKeep
 {
   enum Why : char
   {
@@ -20,23 +20,23 @@ struct NeededVertices
     Passed = 2  // of a face that a curve passes through
   };
   std::vector<char> why;                                // per vertex, a sum
-  std::vector<std::vector<int>> passed, touched, parts; // per curve, see Passage
+  std::vector<std::vector<int>> passed, touched, parts; // per curve, see CrossedFaces
 
-  NeededVertices() = default;
-  explicit NeededVertices(const Forest& forest)
+  VerticesToKeep() = default;
+  explicit VerticesToKeep(const Forest& forest)
     : why(forest.vertices.size(), 0)
   {
   }
-  // What the next curve needs.
+  // Adds what the next curve needs.
   void add(const Forest& forest,
     int curve,
     double radius,
     const std::vector<Reached>& reached,
-    const Passage& passage);
+    const CrossedFaces& crossed);
 };
 
-// Of all curves; `options`: of those without a radius of their own.
-NeededVertices neededVertices(const Forest& forest,
+// The needs of all curves; `options`: for those without a radius of their own.
+VerticesToKeep verticesToKeep(const Forest& forest,
   const FeatureCurves& curves,
   const ReachOptions& options,
   const Context& context);
@@ -45,16 +45,13 @@ NeededVertices neededVertices(const Forest& forest,
 // displacement wrote the vertices `changing`; `faces`: round those. Looks only at what is not as it was to
 // the bit; false also where that does not tell.
 bool stillNeeded(const Forest& before,
-  const NeededVertices& needed,
+  const VerticesToKeep& needed,
   const Forest& after,
   const std::vector<int>& changing,
   const std::vector<int>& faces,
   const FeatureCurves& curves,
   const ReachOptions& options,
   const Context& context);
-
-// Which are marked, ascending.
-std::vector<int> marked(const std::vector<char>& marks);
 
 } // namespace oversketch
 #endif

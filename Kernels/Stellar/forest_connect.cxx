@@ -61,7 +61,7 @@ Edges edgesOf(const Forest& forest)
   return edges;
 }
 
-// What looking at the edges of some points found.
+// Findings at the edges of some points.
 struct Found
 {
   bool open = false; // an edge of one face

@@ -1,8 +1,8 @@
-#include "Stellar/foot.h"
+#include "Stellar/snap_foot.h"
 
 #include "Mesh/context.h"
+#include "Stellar/crossed_faces.h"
 #include "Stellar/distance.h"
-#include "Stellar/passage.h"
 #include "Stellar/quality.h"
 #include "Stellar/snapper.h"
 
@@ -23,7 +23,7 @@ constexpr double closeEnough = 1e-13; // and how near to its place a vertex is p
 constexpr double partWays[] = { 0.8, 0.6, 0.4, 0.2 }; // of a way that is not open to its end
 constexpr double farOff = 2.0;                        // and from where on nothing needs to be known
 
-// Of a place: distance / radius of the curve where that is least.
+// Distance / radius of a place from the curve where that is least.
 struct Share
 {
   double value = std::numeric_limits<double>::infinity();
@@ -82,15 +82,15 @@ private:
   }
   const Vector3& at(int v) const { return this->Mesh.vertices[v].position; }
 
-  // What is reached.
+  // Measures what is reached.
   void measure()
   {
-    const Passage passage(this->Mesh, this->Search, this->Caller);
+    const CrossedFaces crossed(this->Mesh, this->Search, this->Caller);
     CurveReach reach(this->Mesh, this->Search);
     for (int k = 0; k < static_cast<int>(this->Curves.size()); ++k)
     {
       const ReachOptions options{ this->radius(k), CurveDistance::Straight, this->Options.connectedOnly };
-      for (const Reached& reached : reach.find(k, passage.faces(k), options, this->Caller))
+      for (const Reached& reached : reach.find(k, crossed.faces(k), options, this->Caller))
       {
         Share& share = this->Shares[reached.vertex];
         const double value = reached.distance / options.radius;
@@ -98,8 +98,7 @@ private:
         this->Inside.push_back(reached.vertex);
       }
     }
-    std::sort(this->Inside.begin(), this->Inside.end());
-    this->Inside.erase(std::unique(this->Inside.begin(), this->Inside.end()), this->Inside.end());
+    sortUnique(this->Inside);
   }
 
   Share shareAt(const Vector3& place) const
@@ -295,12 +294,7 @@ FootReport snapFoot(Forest& forest,
   {
     return {};
   }
-  const bool own =
-    std::all_of(curves.begin(), curves.end(), [](const FeatureCurve& c) { return c.radius.has_value(); });
-  if (!own && !(options.radius > 0.0 && std::isfinite(options.radius)))
-  {
-    throw Error(Failure::BadStroke, "The {radius} must be a positive number.");
-  }
+  checkRadius(curves, options.radius);
   if (!(options.sharpness >= 0.0 && options.minimumAngle >= 0.0 && options.minimumAngle <= 60.0))
   {
     throw Error(Failure::BadStroke,

@@ -1,4 +1,4 @@
-#include "Stellar/foot.h"
+#include "Stellar/snap_foot.h"
 
 #include "Harness/face_quality.h"
 #include "Harness/feature_shapes.h"

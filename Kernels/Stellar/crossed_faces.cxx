@@ -1,4 +1,4 @@
-#include "Stellar/passage.h"
+#include "Stellar/crossed_faces.h"
 
 #include "Mesh/context.h"
 #include "Mesh/nearest.h"
@@ -15,7 +15,7 @@ namespace oversketch
 namespace
 {
 
-// What a curve passes exactly along is touched by both sides.
+// An edge that a curve passes exactly along is touched by both sides.
 constexpr double touching = 1e-9;
 constexpr int facesPerCheck = 1024; // between two looks at whether to stop
 
@@ -26,9 +26,7 @@ struct Corners
   double longest = 0.0, area2 = 0.0;
 
   Corners(const Forest& forest, int f)
-    : Corners(forest.vertices[forest.faces[f].v[0]].position,
-        forest.vertices[forest.faces[f].v[1]].position,
-        forest.vertices[forest.faces[f].v[2]].position)
+    : Corners(forest.cornerOf(f, 0), forest.cornerOf(f, 1), forest.cornerOf(f, 2))
   {
   }
   Corners(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -45,7 +43,7 @@ struct Corners
     }
   }
 
-  // Of what lies above and below the face, as far as the gap.
+  // The box round what lies above and below the face, as far as the gap.
   Eigen::AlignedBox3d box(double gap) const
   {
     Eigen::AlignedBox3d b(this->p);
@@ -163,7 +161,7 @@ std::vector<int> partsOf(const Forest& forest, const std::vector<int>& touched)
   return part;
 }
 
-// Of the faces that a curve touches, those that hang together with one that is the nearest to a sample.
+// Faces that a curve touches and that hang together with one that is the nearest to a sample.
 // `at`: where a vertex is.
 template <class At>
 std::vector<int> joined(const Forest& forest,
@@ -252,7 +250,7 @@ bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vecto
   return gap && passesThrough(search, curve, Corners(a, b, c), *gap);
 }
 
-Passage::Passage(const Forest& forest, const CurveSearch& search, const Context& context)
+CrossedFaces::CrossedFaces(const Forest& forest, const CurveSearch& search, const Context& context)
   : Mesh(forest)
   , Search(search)
   , Faces(search.curves().size())
@@ -287,12 +285,12 @@ Passage::Passage(const Forest& forest, const CurveSearch& search, const Context&
   }
 }
 
-bool Passage::passes(int face, int curve, double gap) const
+bool CrossedFaces::passes(int face, int curve, double gap) const
 {
   return passesThrough(this->Search, curve, Corners(this->Mesh, face), gap);
 }
 
-std::vector<int> Passage::touching(int curve, double widening, const Context& context) const
+std::vector<int> CrossedFaces::touching(int curve, double widening, const Context& context) const
 {
   const int count = static_cast<int>(this->Mesh.faces.size());
   std::vector<char> touched(count, 0);
@@ -309,26 +307,19 @@ std::vector<int> Passage::touching(int curve, double widening, const Context& co
         {
           continue;
         }
-        const int* v = this->Mesh.faces[f].v;
-        const Vector3 &a = this->Mesh.vertices[v[0]].position, &b = this->Mesh.vertices[v[1]].position,
-                      &c = this->Mesh.vertices[v[2]].position;
-        const std::optional<double> gap = gapNear(this->Search.box(curve), widening, a, b, c);
+        const std::optional<double> gap = gapNear(this->Search.box(curve),
+          widening,
+          this->Mesh.cornerOf(f, 0),
+          this->Mesh.cornerOf(f, 1),
+          this->Mesh.cornerOf(f, 2));
         touched[f] = gap && this->passes(f, curve, *gap);
       }
     });
   context.checkpoint(0.0);
-  std::vector<int> faces;
-  for (int f = 0; f < count; ++f)
-  {
-    if (touched[f])
-    {
-      faces.push_back(f);
-    }
-  }
-  return faces;
+  return marked(touched);
 }
 
-void Passage::follow(const std::vector<Forest::Birth>& births)
+void CrossedFaces::follow(const std::vector<Forest::Birth>& births)
 {
   for (int k = 0; k < static_cast<int>(this->Faces.size()); ++k)
   {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace oversketch
 {
@@ -23,32 +22,17 @@ constexpr int slideSteps = 6;
 // The base normal where a vertex goes to, from the face of its star that is there or the nearest.
 Vector3 Snapper::normalAt(int v, const Vector3& to) const
 {
-  Vector3 normal = this->vertex(v).baseNormal;
-  double best = -std::numeric_limits<double>::infinity(); // the least weight
-  this->Mesh.star(v,
-    [&](int f, int)
-    {
-      const int* c = this->Mesh.faces[f].v;
-      const Vector3& p = this->vertex(c[0]).position;
-      const Vector3 x = this->vertex(c[1]).position - p, y = this->vertex(c[2]).position - p;
-      const Vector3 up = x.cross(y);
-      if (!(up.squaredNorm() > 0.0))
-      {
-        return;
-      }
-      const double wx = (to - p).cross(y).dot(up) / up.squaredNorm(),
-                   wy = x.cross(to - p).dot(up) / up.squaredNorm();
-      const Vector3 weights(1.0 - wx - wy, wx, wy);
-      if (weights.minCoeff() > best)
-      {
-        const Vector3 w = weights.cwiseMax(0.0);
-        const Vector3 sum = w[0] * this->vertex(c[0]).baseNormal + w[1] * this->vertex(c[1]).baseNormal +
-                            w[2] * this->vertex(c[2]).baseNormal;
-        best = weights.minCoeff();
-        normal = sum.squaredNorm() > 0.0 ? Vector3(sum.normalized()) : normal;
-      }
-    });
-  return normal;
+  const Vector3& own = this->vertex(v).baseNormal;
+  const Forest::FacePlace at = this->Mesh.inStar(v, to);
+  if (at.face < 0)
+  {
+    return own;
+  }
+  const int* c = this->Mesh.faces[at.face].v;
+  const Vector3 w = at.weights.cwiseMax(0.0);
+  const Vector3 sum = w[0] * this->vertex(c[0]).baseNormal + w[1] * this->vertex(c[1]).baseNormal +
+                      w[2] * this->vertex(c[2]).baseNormal;
+  return sum.squaredNorm() > 0.0 ? Vector3(sum.normalized()) : own;
 }
 
 // Where on a curve a vertex at a crossed edge may go: one that is on another curve to where the two meet, any
@@ -207,7 +191,7 @@ void Snapper::weldBack(const std::vector<Forest::Birth>& births)
   }
 }
 
-// The same, unless that makes triangles that are too narrow of such that were wider.
+// Splits, unless that makes triangles that are too narrow of such that were wider.
 void Snapper::splitWithCare(const EdgeCrossing& crossing,
   const MidpointRule& rule,
   std::vector<Forest::Birth>& births)
@@ -247,8 +231,7 @@ void Snapper::findIn(const std::vector<Forest::Birth>& births)
     faces.push_back(birth.child);
     vertices.push_back(birth.vertex);
   }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  sortUnique(faces);
   std::sort(vertices.begin(), vertices.end());
   const auto isNew = [&](int v) { return std::binary_search(vertices.begin(), vertices.end(), v); };
   Scan all, fresh;

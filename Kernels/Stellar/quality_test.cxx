@@ -1,4 +1,4 @@
-#include "Stellar/thin_triangles.h"
+#include "Stellar/quality.h"
 
 #include "Harness/shapes.h"
 #include "Harness/threads.h"

@@ -1,4 +1,4 @@
-#include "Mesh/mix.h"
+#include "Mesh/place.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The faces of a 4-8 mesh that feature curves pass through.
-#ifndef oversketch_kernels_stellar_passage_h
-#define oversketch_kernels_stellar_passage_h
+#ifndef oversketch_kernels_stellar_crossed_faces_h
+#define oversketch_kernels_stellar_crossed_faces_h
 
 #include "Stellar/forest.h"
 
@@ -15,12 +15,12 @@ struct Context;
 // since it was drawn. It passes through a face where one of its segments meets the face, seen along the
 // face's normal, and is no farther from it than half the face's longest edge; if it is so far from all faces,
 // than as much more as it takes. A curve with normals passes only through faces that they look out of.
-class Passage
+class CrossedFaces
 {
 public:
   // For each curve: the faces that are nearest to its samples, and from there those joined edge to edge that
   // it passes through. Looks at each leaf once.
-  Passage(const Forest& forest, const CurveSearch& search, const Context& context);
+  CrossedFaces(const Forest& forest, const CurveSearch& search, const Context& context);
 
   // Goes on to the children of faces that were split since.
   void follow(const std::vector<Forest::Birth>& births);
@@ -55,7 +55,7 @@ inline Vector3 putBack(const Forest& forest, int v)
 // half its longest edge.
 bool touches(const CurveSearch& search, int curve, const Vector3& a, const Vector3& b, const Vector3& c);
 
-// What Passage::faces are of a forest whose vertices are put back, of which all touched faces are known.
+// Finds CrossedFaces::faces of a forest whose vertices are put back, of which all touched faces are known.
 std::vector<int> passedPutBack(const Forest& forest,
   const CurveSearch& search,
   int curve,

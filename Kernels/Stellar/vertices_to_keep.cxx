@@ -1,4 +1,4 @@
-#include "Stellar/needed.h"
+#include "Stellar/vertices_to_keep.h"
 
 #include "Mesh/context.h"
 
@@ -12,8 +12,8 @@ namespace oversketch
 namespace
 {
 
-// What is snapped to a feature's foot lies at the radius but for rounding, which is of the order of 1e-8
-// where a small model lies millions of units from the origin: it does not rise, and is not within.
+// A vertex that is snapped to a feature's foot lies at the radius but for rounding, which is of the order of
+// 1e-8 where a small model lies millions of units from the origin: it does not rise, and is not within.
 bool isWithin(double distance, double radius)
 {
   constexpr double rounding = 1e-6;
@@ -22,11 +22,11 @@ bool isWithin(double distance, double radius)
 
 } // namespace
 
-void NeededVertices::add(const Forest& forest,
+void VerticesToKeep::add(const Forest& forest,
   int curve,
   double radius,
   const std::vector<Reached>& reached,
-  const Passage& passage)
+  const CrossedFaces& crossed)
 {
   for (const Reached& r : reached)
   {
@@ -35,7 +35,7 @@ void NeededVertices::add(const Forest& forest,
       this->why[r.vertex] |= Within;
     }
   }
-  this->passed.push_back(passage.faces(curve));
+  this->passed.push_back(crossed.faces(curve));
   for (const int f : this->passed.back())
   {
     for (const int v : forest.faces[f].v)
@@ -43,30 +43,30 @@ void NeededVertices::add(const Forest& forest,
       this->why[v] |= Passed;
     }
   }
-  this->touched.push_back(passage.touched(curve));
-  this->parts.push_back(passage.parts(curve));
+  this->touched.push_back(crossed.touched(curve));
+  this->parts.push_back(crossed.parts(curve));
 }
 
-NeededVertices neededVertices(const Forest& forest,
+VerticesToKeep verticesToKeep(const Forest& forest,
   const FeatureCurves& curves,
   const ReachOptions& options,
   const Context& context)
 {
-  NeededVertices needed(forest);
+  VerticesToKeep needed(forest);
   const CurveSearch search(curves);
-  const Passage passage(forest, search, context);
+  const CrossedFaces crossed(forest, search, context);
   CurveReach reach(forest, search);
   for (int k = 0; k < static_cast<int>(curves.size()); ++k)
   {
     const double radius = curves[k].radius.value_or(options.radius);
     const ReachOptions own{ radius, options.kind, options.connectedOnly };
-    needed.add(forest, k, radius, reach.find(k, passage.faces(k), own, context), passage);
+    needed.add(forest, k, radius, reach.find(k, crossed.faces(k), own, context), crossed);
   }
   return needed;
 }
 
 bool stillNeeded(const Forest& before,
-  const NeededVertices& needed,
+  const VerticesToKeep& needed,
   const Forest& after,
   const std::vector<int>& changing,
   const std::vector<int>& faces,
@@ -125,19 +125,6 @@ bool stillNeeded(const Forest& before,
     same = passedPutBack(after, search, k, needed.touched[k], needed.parts[k]) == needed.passed[k];
   }
   return same;
-}
-
-std::vector<int> marked(const std::vector<char>& marks)
-{
-  std::vector<int> all;
-  for (std::size_t i = 0; i < marks.size(); ++i)
-  {
-    if (marks[i])
-    {
-      all.push_back(static_cast<int>(i));
-    }
-  }
-  return all;
 }
 
 } // namespace oversketch

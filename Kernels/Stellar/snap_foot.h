@@ -2,8 +2,8 @@
 // Ours: where the sharpness s is below 1 the profile (1 - distance / radius)^s of section III-C.2 of
 // "Sketch-based Adaptive Mesh Augmentation using Stellar Operators" has a slope without bound at its foot,
 // and vertices that happen to lie a little inside of it stand out as saw-teeth.
-#ifndef oversketch_kernels_stellar_foot_h
-#define oversketch_kernels_stellar_foot_h
+#ifndef oversketch_kernels_stellar_snap_foot_h
+#define oversketch_kernels_stellar_snap_foot_h
 
 #include "Stellar/forest.h"
 
