@@ -9,7 +9,7 @@
  * Departure: the rule of the thesis goes by curvature, which is found in the noise of an unchanged region
  * too, and puts new vertices onto the facets of a stretched surface. Rule Edit splits edges before the edit
  * by what the edit makes of them, and remeshes what it has changed. What moved the vertices is not known
- * here: between them the motion is taken to be as smooth as Kernels/Remesh/motion.h says. Who knows it hands
+ * here: between them the motion is taken to be as smooth as that header says. Who knows it hands
  * it over (vtkOversketchEdit).
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, moved by the edit, with point array EditRegion (0 outside, 1 on
