@@ -6,7 +6,7 @@
  * axes at a place of the curve; dragged along an axis it moves, scales or turns, and the change of its pose
  * is a matrix. Departures: the thesis prints T(-c) ... T(c) with T(c) moving to the origin; here the handle's
  * own place stays where it is turned and scaled. Each operation is one matrix, so that it has a logarithm.
- * The text is ours. Kernels/Matrix/pose.h and operations.h say more.
+ * The text is ours. Kernels/Matrix/operations.h says more.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; its point normals say what is outward.
  * Input 1 (Reference): the reference curve, one polyline with point array VertexId, see

@@ -8,8 +8,8 @@
  *
  * Departure: the rule of the thesis goes by curvature, which is found in the noise of an unchanged region
  * too, and puts new vertices onto the facets of a stretched surface. Rule Edit splits edges before the edit
- * by what the edit makes of them, and remeshes what it has changed. Between
- * vertices the motion is as smooth as Kernels/Remesh/motion.h says, where SetMotion does not give it.
+ * by what the edit makes of them, and remeshes what it has changed. Between vertices the motion is as smooth
+ * as that header says, where SetMotion does not give it.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, moved by the edit, with point array EditRegion (0 outside, 1 on
  * the boundary, 2 strictly inside; vtkOversketchEnclose) and field array MeanEdge (vtkOversketchMeanEdge);
@@ -90,7 +90,7 @@ public:
   ///@}
 
   /**
-   * The motion of the edit at every place of the mesh before it (Kernels/Remesh/motion.h), for rule Edit;
+   * The motion of the edit at every place of the mesh before it (Kernels/Remesh/retriangulate.h), for rule Edit;
    * null (default): it is found between the two meshes. For C++, as vtkOversketchEdit sets it.
    */
   void SetMotion(std::shared_ptr<const oversketch::Motion> motion);

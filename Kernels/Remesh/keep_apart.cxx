@@ -27,7 +27,7 @@ Vector3 stored(const Vector3& p, bool asFloats)
 }
 
 // The vertices that movable ones may have met, the least movable ones first.
-std::vector<int> meeting(const Mesh& mesh, const std::vector<char>& movable, bool asFloats)
+std::vector<int> mayHaveMet(const Mesh& mesh, const std::vector<char>& movable, bool asFloats)
 {
   Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -55,7 +55,7 @@ std::vector<int> meeting(const Mesh& mesh, const std::vector<char>& movable, boo
 
 int keepApart(Mesh& mesh, const std::vector<char>& movable, bool asFloats)
 {
-  const std::vector<int> near = meeting(mesh, movable, asFloats);
+  const std::vector<int> near = mayHaveMet(mesh, movable, asFloats);
   std::vector<Vector3> places;
   places.reserve(near.size());
   for (const int v : near)

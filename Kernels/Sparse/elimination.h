@@ -1,5 +1,5 @@
-// The order in which a sparse symmetric matrix is eliminated, and the shape of its Cholesky factor: what depends
-// on the pattern alone and serves any number of matrices.
+// The order in which a sparse symmetric matrix is eliminated, and the shape of its Cholesky factor: what
+// depends on the pattern alone and serves any number of matrices.
 #ifndef oversketch_kernels_sparse_elimination_h
 #define oversketch_kernels_sparse_elimination_h
 

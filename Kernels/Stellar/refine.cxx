@@ -22,11 +22,11 @@ namespace oversketch
 namespace
 {
 
-constexpr double onSource = 1e-9;  // diagonals
-constexpr double needle = 2.5;     // degrees, see SourceOptions
-constexpr double wellWithin = 0.8; // radii: where a curve hides the foot of another
-constexpr double footWidth = 0.03; // radii: inside the foot, where edges are as fine as there
-constexpr double steepCrest = 2.0; // the sharpness above which edges at the crest are too long
+constexpr double nearSource = 1e-9; // diagonals
+constexpr double needle = 2.5;      // degrees, see SourceOptions
+constexpr double wellWithin = 0.8;  // radii: where a curve hides the foot of another
+constexpr double footWidth = 0.03;  // radii: inside the foot, where edges are as fine as there
+constexpr double steepCrest = 2.0;  // the sharpness above which edges at the crest are too long
 
 // A face as it was marked; what was split since is another one.
 struct Mark
@@ -370,7 +370,7 @@ void checkSnapped(const Forest& forest, const FeatureCurves& curves)
 
 MidpointRule midpointRule(const Forest& forest, const FeatureCurves* curves, const Source& source)
 {
-  return { curves, source, source ? onSource * forest.diagonal() : 0.0 };
+  return { curves, source, source ? nearSource * forest.diagonal() : 0.0 };
 }
 
 Forest refine(Forest forest,
