@@ -114,13 +114,22 @@ void Display::showWhole(const int size[2])
 
 void Display::setShading(Shading shading, bool pictures)
 {
-  this->Look = shading;
-  this->Pictures = pictures;
-  this->Model.setShading(shading, pictures);
-  this->Others.setShading(shading, pictures);
+  this->setLook({ shading, pictures, this->Look.plain });
+}
+
+void Display::setPlain(const std::array<double, 3>& colour)
+{
+  this->setLook({ this->Look.shading, this->Look.pictures, colour });
+}
+
+void Display::setLook(const ModelLook& look)
+{
+  this->Look = look;
+  this->Model.setLook(look);
+  this->Others.setLook(look);
   if (this->Other)
   {
-    this->Other->setShading(shading, pictures);
+    this->Other->setLook(look);
   }
 }
 
@@ -150,8 +159,7 @@ void Display::showInstead(vtkPolyData* mesh)
   if (mesh)
   {
     this->Other = std::make_unique<ModelView>(this->Renderer);
-    this->Other->setPlain(this->Plain[0], this->Plain[1], this->Plain[2]);
-    this->Other->setShading(this->Look, this->Pictures);
+    this->Other->setLook(this->Look);
     this->Other->show(mesh);
   }
   this->Model.setVisible(!mesh);
@@ -164,17 +172,6 @@ void Display::setDark(bool dark)
   {
     dark ? this->Onions[i]->GetProperty()->SetColor(0.45, 0.70, 1.0)
          : this->Onions[i]->GetProperty()->SetColor(0.20, 0.45, 0.85);
-  }
-}
-
-void Display::setPlain(double red, double green, double blue)
-{
-  this->Plain = { red, green, blue };
-  this->Model.setPlain(red, green, blue);
-  this->Others.setPlain(red, green, blue);
-  if (this->Other)
-  {
-    this->Other->setPlain(red, green, blue);
   }
 }
 

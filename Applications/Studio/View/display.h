@@ -51,12 +51,13 @@ public:
   RestingViews& others() { return this->Others; }
 
   void setDark(bool dark);
-  void setPlain(double red, double green, double blue);
+  void setPlain(const std::array<double, 3>& colour);
   // The ground and the onion, for a picture without them.
   void setOverlays(bool shown);
 
 private:
   void stepBack(const double box[6], const int size[2]);
+  void setLook(const ModelLook& look);
 
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
@@ -65,9 +66,8 @@ private:
   vtkNew<vtkPolyDataMapper> OnionMappers[2];
   vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
   std::unique_ptr<ModelView> Other; // while it is shown
-  Shading Look = Shading::Smooth;
-  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
-  bool Ground = false, Pictures = true;
+  ModelLook Look;
+  bool Ground = false;
 };
 
 } // namespace oversketch_studio

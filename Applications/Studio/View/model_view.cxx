@@ -60,7 +60,6 @@ void ModelView::resize(std::size_t count)
   {
     this->Parts.push_back(std::make_unique<Part>());
     Part& part = *this->Parts.back();
-    part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
     this->shadePart(part);
     part.actor->SetVisibility(this->Visible);
     this->Renderer->AddActor(part.actor);
@@ -146,10 +145,9 @@ bool ModelView::owns(const vtkActor* actor) const
     this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
 }
 
-void ModelView::setShading(Shading shading, bool pictures)
+void ModelView::setLook(const ModelLook& look)
 {
-  this->Look = shading;
-  this->Pictures = pictures;
+  this->Look = look;
   for (const auto& part : this->Parts)
   {
     this->shadePart(*part);
@@ -159,8 +157,9 @@ void ModelView::setShading(Shading shading, bool pictures)
 // Clay shows the form alone.
 void ModelView::shadePart(Part& part) const
 {
-  shade(part.actor, this->Look);
-  part.skin.setWorn(part.actor, this->Pictures && this->Look != Shading::Matcap);
+  shade(part.actor, this->Look.shading);
+  part.skin.setLook(
+    part.actor, this->Look.plain, this->Look.pictures && this->Look.shading != Shading::Matcap);
 }
 
 void ModelView::setVisible(bool visible)
@@ -178,15 +177,6 @@ void ModelView::hideBacks(bool hide)
   {
     vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
     part->actor->GetProperty()->SetBackfaceCulling(mesh && part->backs.areHidden(mesh, this->Renderer));
-  }
-}
-
-void ModelView::setPlain(double red, double green, double blue)
-{
-  this->Plain = { red, green, blue };
-  for (const auto& part : this->Parts)
-  {
-    part->skin.setPlain(part->actor, red, green, blue);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <memory>
 #include <set>
 #include <vector>
@@ -34,16 +33,12 @@ public:
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
   bool owns(const vtkActor* actor) const;
 
-  // Whether what it wears is seen.
-  void setShading(Shading shading, bool pictures);
+  void setLook(const ModelLook& look);
   void setVisible(bool visible);
   // Draws no faces that others hide, where that can be told, or all.
   void hideBacks(bool hide);
   // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
   void hide(const std::set<int>& parts);
-
-  // The colour of what wears nothing.
-  void setPlain(double red, double green, double blue);
 
 private:
   struct Part;
@@ -57,9 +52,8 @@ private:
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
   vtkSmartPointer<vtkPolyData> Dressed; // that one, until it is moved
-  Shading Look = Shading::Smooth;
-  bool Visible = true, Pictures = true;
-  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+  ModelLook Look;
+  bool Visible = true;
 };
 
 } // namespace oversketch_studio

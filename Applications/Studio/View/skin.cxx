@@ -74,16 +74,9 @@ void Skin::wear(const SharedPicture& picture)
   this->Textured = picture && picture->pixels;
 }
 
-void Skin::setPlain(vtkActor* actor, double red, double green, double blue)
+void Skin::setLook(vtkActor* actor, const std::array<double, 3>& plain, bool worn)
 {
-  this->Plain[0] = red;
-  this->Plain[1] = green;
-  this->Plain[2] = blue;
-  this->put(actor);
-}
-
-void Skin::setWorn(vtkActor* actor, bool worn)
-{
+  this->Plain = plain;
   this->Worn = worn;
   this->put(actor);
 }
@@ -94,7 +87,7 @@ void Skin::put(vtkActor* actor)
   vtkProperty* look = actor->GetProperty();
   actor->SetTexture(isPicture ? this->Texture.Get() : nullptr);
   actor->GetMapper()->SetScalarVisibility(this->Worn && this->Coloured);
-  isPicture ? look->SetColor(1.0, 1.0, 1.0) : look->SetColor(this->Plain); // the picture's own
+  isPicture ? look->SetColor(1.0, 1.0, 1.0) : look->SetColor(this->Plain.data()); // the picture's own
   look->SetAmbient(isPicture ? pictureAmbient : 0.0);
   look->SetDiffuse(isPicture ? pictureDiffuse : 1.0);
   look->SetSpecular(isPicture ? pictureShine : shine);

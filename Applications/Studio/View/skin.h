@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -28,7 +29,7 @@ public:
   Skin(const Skin&) = delete;
   Skin& operator=(const Skin&) = delete;
 
-  // Shows the mesh so, with the bytes of its picture, if any; a plain one has the colour of setPlain. What it
+  // Shows the mesh so, with the bytes of its picture, if any; a plain one has the colour of setLook. What it
   // wears is opaque, whatever is drawn. A picture that nobody has decoded yet comes later; then it calls
   // `comes`.
   void dress(vtkActor* actor,
@@ -36,9 +37,8 @@ public:
     vtkPolyData* mesh,
     const std::string& picture,
     const std::function<void()>& comes);
-  void setPlain(vtkActor* actor, double red, double green, double blue);
   // Whether what it wears is seen; else its form alone.
-  void setWorn(vtkActor* actor, bool worn);
+  void setLook(vtkActor* actor, const std::array<double, 3>& plain, bool worn);
 
 private:
   void put(vtkActor* actor);
@@ -49,7 +49,7 @@ private:
   PictureBytes Wanted;            // of the picture that is to come, or has come
   std::unique_ptr<QObject> Waits; // for it
   bool Textured = false, Coloured = false, Worn = true;
-  double Plain[3] = { 1.0, 1.0, 1.0 };
+  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
 };
 
 } // namespace oversketch_studio

@@ -16,7 +16,6 @@
 #include <vector>
 
 class vtkActor;
-class vtkCallbackCommand;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
@@ -74,7 +73,7 @@ private:
   vtkSmartPointer<vtkPolyData> Stroke;
   bool All = false, Visible = true;
   Drawn Others, Marked; // thin; the chosen or hovered one
-  vtkNew<vtkCallbackCommand> Observer;
+  unsigned long Observer = 0;
   QPoint Press;
   bool Pressed = false;
 };

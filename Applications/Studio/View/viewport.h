@@ -4,6 +4,7 @@
 
 #include "backdrop.h"
 #include "display.h"
+#include "frame_view.h"
 #include "hand_gestures.h"
 #include "hint.h"
 #include "mirror_sheet.h"
@@ -13,28 +14,24 @@
 
 #include "vtkNew.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <array>
 #include <optional>
 #include <set>
+#include <vector>
 
 class QTimer;
 class vtkActor;
-class vtkCallbackCommand;
-class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
 class vtkPolyData;
 class vtkPolyDataMapper;
-class vtkRenderer;
 
 namespace oversketch_studio
 {
 
 class Tool;
 
-class Viewport : public QVTKOpenGLNativeWidget
+class Viewport : public FrameView
 {
   Q_OBJECT
 
@@ -89,15 +86,15 @@ public:
   // For tools.
   Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
-  vtkRenderer* renderer() { return this->Renderer; }
   // The size of the view that the camera is for [px of the screen]: what was whole in view stays whole when
   // it becomes narrower than high (vtkOversketchInteractorStyle::FollowSize). It changes once the hand rests.
   const std::array<int, 2>& fittedSize() const { return this->Fitted; }
   void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
-  // A frame with the next turn of the event loop, and at once.
-  void renderSoon();
-  void renderNow();
+  void renderNow() override;
+  // What lies over the view and is seen, the strip at its upper left corner, the axes, in the screen's
+  // pixels.
+  std::vector<Hint::Box> overlays() const;
 
 signals:
   // Key Return; the camera is about to be moved.
@@ -110,6 +107,9 @@ signals:
   void linesShown(bool show);
 
 protected:
+  bool isHeld() const override;
+  bool awaits() const override;
+  void renderSmooth() override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintGL() override;
@@ -117,19 +117,14 @@ protected:
 
 private:
   void makeScene();
-  void listen();
-  void heard(unsigned long event);
+  void moveBegins(); // of the camera
   void render();
   void paintNow();
-  void smoothEdges();
-  void renderSmooth();
   void awaitNoMore();
   void placeHint();
   void fitScreen();
   void fitCamera();
 
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
   Display Looks{ this->Renderer, this->Model };
@@ -141,13 +136,10 @@ private:
   Backdrop Behind;
   Hint HintBox;
   vtkNew<vtkOversketchInteractorStyle> Style;
-  vtkNew<vtkCallbackCommand> Observer;
   Tool* CurrentTool = nullptr;
   std::array<int, 2> Fitted{ 1, 1 };
-  std::optional<bool> OnProcessor; // once there is a context to ask
-  QTimer* Await;                   // runs while a mesh is awaited
-  QTimer* Rest;                    // since the last frame, where the processor draws
-  bool RenderWaits = false, PaintWaits = false;
+  QTimer* Await; // runs while a mesh is awaited
+  bool PaintWaits = false;
 };
 
 } // namespace oversketch_studio
