@@ -46,8 +46,6 @@ StepPanel::StepPanel(QWidget* parent)
   this->show(nullptr);
 }
 
-StepPanel::~StepPanel() = default;
-
 void StepPanel::addPage(const SystemRow& row)
 {
   Page page;

@@ -23,7 +23,6 @@ class StepPanel : public QStackedWidget
 
 public:
   explicit StepPanel(QWidget* parent = nullptr);
-  ~StepPanel() override;
 
   // Null: no step is selected; the form that was last seen stays, and can do nothing.
   void show(const oversketch_session::Step* step);

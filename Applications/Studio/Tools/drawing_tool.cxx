@@ -90,21 +90,6 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   connect(document, &Document::changed, this, &DrawingTool::follow);
 }
 
-QString DrawingTool::title() const
-{
-  return tr("Ima&ge to model");
-}
-
-QKeySequence DrawingTool::key() const
-{
-  return tr("G");
-}
-
-QString DrawingTool::help() const
-{
-  return tr("Draw round a shape in a picture, and it becomes a model (G)");
-}
-
 // A picture's corner, a line round something in it.
 QPainterPath DrawingTool::icon() const
 {
@@ -358,11 +343,6 @@ void DrawingTool::setDark(bool dark)
   {
     this->Pad->setDark(dark);
   }
-}
-
-void DrawingTool::redraw(int stroke)
-{
-  this->Redrawn = stroke;
 }
 
 void DrawingTool::follow()

@@ -33,8 +33,6 @@ Preview::Preview(vtkPolyData* rest, const Following& following)
   }
 }
 
-Preview::~Preview() = default;
-
 // The points that move and those that share a triangle with one, and all triangles round these.
 void Preview::findTurned()
 {

@@ -22,7 +22,6 @@ public:
 
   // Of a mesh with as many points as `following` says, which stays as it is.
   Preview(vtkPolyData* rest, const Following& following);
-  ~Preview();
 
   // The mesh with the stroke moved by a vector [world].
   void moveTo(const double by[3]);

@@ -112,16 +112,6 @@ void Display::showWhole(const int size[2])
   this->Renderer->ResetCameraClippingRange();
 }
 
-void Display::setShading(Shading shading, bool pictures)
-{
-  this->setLook({ shading, pictures, this->Look.plain });
-}
-
-void Display::setPlain(const std::array<double, 3>& colour)
-{
-  this->setLook({ this->Look.shading, this->Look.pictures, colour });
-}
-
 void Display::setLook(const ModelLook& look)
 {
   this->Look = look;

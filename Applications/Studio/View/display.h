@@ -37,7 +37,7 @@ public:
   void showWhole(const int size[2]);
 
   // Pictures and colours that models wear are seen, or not.
-  void setShading(Shading shading, bool pictures);
+  void setShading(Shading shading, bool pictures) { this->setLook({ shading, pictures, this->Look.plain }); }
   void setGround(bool shown);
   bool ground() const { return this->Ground; }
   // Another mesh, translucent over the model; null: none.
@@ -51,7 +51,10 @@ public:
   RestingViews& others() { return this->Others; }
 
   void setDark(bool dark);
-  void setPlain(const std::array<double, 3>& colour);
+  void setPlain(const std::array<double, 3>& colour)
+  {
+    this->setLook({ this->Look.shading, this->Look.pictures, colour });
+  }
   // The ground and the onion, for a picture without them.
   void setOverlays(bool shown);
 

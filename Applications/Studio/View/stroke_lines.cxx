@@ -96,11 +96,6 @@ void StrokeLines::showAll(bool all)
   this->show();
 }
 
-void StrokeLines::setVisible(bool visible)
-{
-  this->Visible = visible;
-}
-
 bool StrokeLines::isShown() const
 {
   return this->Others.mapper->GetInput() || (this->Marked.mapper->GetInput() && !this->isHeld());

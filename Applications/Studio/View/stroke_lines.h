@@ -40,7 +40,7 @@ public:
   // Whether all are shown, and can be clicked.
   void showAll(bool all);
   // None, for a picture without lines.
-  void setVisible(bool visible);
+  void setVisible(bool visible) { this->Visible = visible; }
   // The step whose line is seen there [px of the widget], else -1.
   int at(const QPoint& place) const;
 

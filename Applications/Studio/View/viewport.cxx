@@ -374,11 +374,6 @@ void Viewport::clearMesh()
   this->renderSoon();
 }
 
-void Viewport::showPreview(vtkPolyData* mesh)
-{
-  this->Model.preview(mesh);
-}
-
 void Viewport::showInstead(vtkPolyData* mesh)
 {
   this->Looks.showInstead(mesh);
@@ -391,11 +386,6 @@ void Viewport::hideParts(const std::set<int>& parts)
 {
   this->Model.hide(parts);
   this->renderSoon();
-}
-
-vtkPolyData* Viewport::mesh() const
-{
-  return this->Model.mesh();
 }
 
 void Viewport::showPictures(const Pictures& pictures)
@@ -438,21 +428,11 @@ void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
   this->renderSoon();
 }
 
-QString Viewport::hint() const
-{
-  return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
-}
-
 void Viewport::showHint(const QString& text, HintShape shape)
 {
   this->HintBox.setText(text.toStdString(), shape);
   this->placeHint();
   this->renderSoon();
-}
-
-void Viewport::hideHint()
-{
-  this->HintBox.setVisible(false);
 }
 
 void Viewport::placeHint()

@@ -48,8 +48,9 @@ public:
   // Shows none.
   void clearMesh();
   // The mesh as a tool shows it meanwhile, with the same skin.
-  void showPreview(vtkPolyData* mesh);
-  vtkPolyData* mesh() const; // null where none is shown
+  void showPreview(vtkPolyData* mesh) { this->Model.preview(mesh); }
+  // Null where none is shown.
+  vtkPolyData* mesh() const { return this->Model.mesh(); }
   // Parts of the mesh that are not drawn (ModelView::hide).
   void hideParts(const std::set<int>& parts);
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
@@ -68,9 +69,13 @@ public:
   oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text, HintShape shape = HintShape::Limb);
-  QString hint() const; // that is seen; empty where none is
+  // That is seen; empty where none is.
+  QString hint() const
+  {
+    return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
+  }
   const Hint& hintBox() const { return this->HintBox; }
-  void hideHint();
+  void hideHint() { this->HintBox.setVisible(false); }
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.
   void lookFrom(vtkPolyData* stroke);
