@@ -5,7 +5,7 @@
 #include "document.h"
 #include "scene.h"
 #include "tool.h"
-#include "translations.h"
+#include "resources.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

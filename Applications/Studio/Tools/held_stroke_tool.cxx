@@ -2,7 +2,7 @@
 
 #include "document.h"
 #include "latency.h"
-#include "mirror_choice.h"
+#include "step_panel.h"
 #include "systems.h"
 #include "viewport.h"
 
@@ -124,7 +124,7 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   }
   auto* options = new QWidget(parent);
   auto* label = new QLabel(tr("Mirror"), options);
-  this->Mirror = mirrorChoice(options);
+  this->Mirror = StepPanel::mirrorChoice(options);
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
   this->Mirror->setAccessibleName(tr("Mirror"));

@@ -21,6 +21,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QSettings>
 
 #include <algorithm>
 
@@ -60,6 +61,27 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
 }
 
 } // namespace
+
+ViewSettings ViewSettings::read()
+{
+  const QSettings settings;
+  ViewSettings kept;
+  const int shading = settings.value("view/shading", 0).toInt();
+  kept.shading = shading > 0 && shading < shadings ? static_cast<Shading>(shading) : Shading::Smooth;
+  kept.parallel = settings.value("view/parallel", kept.parallel).toBool();
+  kept.free = settings.value("view/free", kept.free).toBool();
+  kept.ground = settings.value("view/ground", kept.ground).toBool();
+  return kept;
+}
+
+void ViewSettings::write() const
+{
+  QSettings settings;
+  settings.setValue("view/shading", static_cast<int>(this->shading));
+  settings.setValue("view/parallel", this->parallel);
+  settings.setValue("view/free", this->free);
+  settings.setValue("view/ground", this->ground);
+}
 
 ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node, QWidget* parent)
   : QObject(parent)
