@@ -8,7 +8,6 @@
 #include "step_list.h"
 #include "step_order.h"
 #include "step_panel.h"
-#include "step_summary.h"
 #include "system_strings.h"
 
 #include <QAction>

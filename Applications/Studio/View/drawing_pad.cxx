@@ -1,6 +1,7 @@
 #include "drawing_pad.h"
 
 #include "latency.h"
+#include "system_strings.h"
 #include "touch_hand.h"
 
 #include "camera_state.h"
@@ -20,7 +21,6 @@
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QRegularExpression>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -113,14 +113,7 @@ void DrawingPad::showText(const QString& text)
 {
   // In lines that the widget has room for.
   const int room = std::max(20, this->width() / letterWidth);
-  QString lines;
-  int length = 0;
-  for (const QString& word : text.split(QRegularExpression("\\s+"), Qt::SkipEmptyParts))
-  {
-    const bool fits = length + word.size() < room;
-    lines += (lines.isEmpty() ? "" : fits ? " " : "\n") + word;
-    length = fits ? length + word.size() + 1 : word.size();
-  }
+  const QString lines = wrapped(text.simplified(), room - 1).join('\n');
   this->Widget->GetDrawingRepresentation()->SetText(lines.toUtf8().constData());
   this->renderWindow()->Render();
 }

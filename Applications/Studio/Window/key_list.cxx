@@ -1,5 +1,6 @@
 #include "key_list.h"
 
+#include "system_strings.h"
 #include "tool.h"
 
 #include <QCoreApplication>
@@ -20,24 +21,6 @@ struct KeyListTexts
 {
   Q_DECLARE_TR_FUNCTIONS(KeyList)
 };
-
-// Words in lines of so many characters at most.
-QStringList wrapped(const QString& text, int most)
-{
-  QStringList lines;
-  for (const QString& word : text.split(' '))
-  {
-    if (lines.isEmpty() || lines.last().size() + 1 + word.size() > most)
-    {
-      lines << word;
-    }
-    else
-    {
-      lines.last() += ' ' + word;
-    }
-  }
-  return lines;
-}
 
 } // namespace
 

@@ -61,10 +61,7 @@ protected:
 private:
   void makeCamera();
   void makeShadings();
-  QAction* addToggle(QMenu* menu,
-    const QString& text,
-    const QString& key,
-    const std::function<void(bool)>& run);
+  QAction* addToggle(const QString& text, const QString& key, const std::function<void(bool)>& run);
   void apply();
   void setTexts();
   void refresh();
