@@ -2,10 +2,9 @@
 #ifndef oversketch_applications_studio_view_model_view_h
 #define oversketch_applications_studio_view_model_view_h
 
-#include "shading.h"
-
 #include "vtkSmartPointer.h"
 
+#include <array>
 #include <memory>
 #include <set>
 #include <vector>
@@ -16,6 +15,24 @@ class vtkRenderer;
 
 namespace oversketch_studio
 {
+
+// How a surface is drawn.
+enum class Shading
+{
+  Smooth,
+  Flat,  // each face by itself
+  Wire,  // smooth, and its edges
+  Matcap // as a ball of clay is lit, without what the model wears; shows dents and creases
+};
+constexpr int shadings = 4;
+
+// How a model is seen.
+struct ModelLook
+{
+  Shading shading = Shading::Smooth;
+  bool pictures = true;                         // and colours that it wears are seen
+  std::array<double, 3> plain{ 1.0, 1.0, 1.0 }; // the colour of what wears nothing
+};
 
 class ModelView
 {
@@ -43,7 +60,6 @@ public:
 private:
   struct Part;
   void resize(std::size_t count);
-  void shadePart(Part& part) const;
 
   vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
 

@@ -2,7 +2,7 @@
 #ifndef oversketch_applications_studio_window_view_menu_h
 #define oversketch_applications_studio_window_view_menu_h
 
-#include "shading.h"
+#include "model_view.h"
 
 #include <QObject>
 #include <QVector>
