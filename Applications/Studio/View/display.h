@@ -1,8 +1,7 @@
-// How the model is looked at: its shading, the ground, what it was over it or instead of it.
+// How the model is looked at: its shading, the ground under it, what it was over it or instead of it.
 #ifndef oversketch_applications_studio_view_display_h
 #define oversketch_applications_studio_view_display_h
 
-#include "ground_grid.h"
 #include "model_view.h"
 #include "resting_views.h"
 
@@ -60,12 +59,15 @@ public:
 
 private:
   void stepBack(const double box[6], const int size[2]);
+  void placeGround(const double box[6], int up); // under the box, and wider than it
+  void showGround(bool shown);
   void setLook(const ModelLook& look);
 
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   RestingViews Others{ this->Renderer };
-  GroundGrid Grid;
+  vtkNew<vtkPolyData> Lines, Middle; // on the ground, a round number apart; the middle ones: along x and z
+  vtkNew<vtkActor> LineActor, MiddleActor;
   vtkNew<vtkPolyDataMapper> OnionMappers[2];
   vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
   std::unique_ptr<ModelView> Other; // while it is shown

@@ -1,9 +1,8 @@
 #include "viewport.h"
 
 #include "files.h"
-#include "key_list.h"
 #include "latency.h"
-#include "tool.h"
+#include "tools.h"
 #include "touch_hand.h"
 
 #include "vtkOversketchInteractorStyle.h"
@@ -145,15 +144,22 @@ void Viewport::fitAll()
 void Viewport::setUpAxis(int axis, bool looksAnew)
 {
   this->Style->SetUpAxis(axis);
-  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
   if (looksAnew || !this->mesh()) // nothing is lost where there is nothing to be seen
   {
-    this->fitCamera();
-    this->Looks.lookAtAll(this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), axis);
-    this->Style->SaveFirstView();
+    this->lookAnew();
     this->Renderer->ResetCameraClippingRange();
     this->renderSoon();
   }
+}
+
+// From the front, at all of the mesh.
+void Viewport::lookAnew()
+{
+  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  this->fitCamera();
+  this->Looks.lookAtAll(
+    this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), this->Style->GetUpAxis());
+  this->Style->SaveFirstView();
 }
 
 void Viewport::setHandCursor(Qt::CursorShape shape)
@@ -345,9 +351,7 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->Behind.setMesh(mesh);
   if (reset)
   {
-    this->fitCamera();
-    this->Looks.lookAtAll(mesh->GetBounds(), this->Fitted.data(), this->Style->GetUpAxis());
-    this->Style->SaveFirstView();
+    this->lookAnew();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
     this->Renderer->SetSSAOBias(0.002 * mesh->GetLength());

@@ -128,6 +128,7 @@ private:
   void awaitNoMore();
   void placeHint();
   void fitScreen();
+  void lookAnew();
   void fitCamera();
 
   vtkNew<vtkLightKit> Lights;
