@@ -207,11 +207,6 @@ void Display::showOnion(vtkPolyData* mesh)
   }
 }
 
-bool Display::onion() const
-{
-  return this->Onions[0]->GetVisibility();
-}
-
 void Display::showInstead(vtkPolyData* mesh)
 {
   this->Other.reset();

@@ -41,7 +41,6 @@ public:
   bool ground() const { return this->Ground; }
   // Another mesh, translucent over the model; null: none.
   void showOnion(vtkPolyData* mesh);
-  bool onion() const;
   // Another mesh instead of the model; null: the model again.
   void showInstead(vtkPolyData* mesh);
   bool instead() const { return this->Other != nullptr; }
