@@ -3,7 +3,6 @@
 #include "latency.h"
 #include "main_window.h"
 #include "resources.h"
-#include "translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -7,9 +7,9 @@ STUDIO = pathlib.Path(os.environ["OVERSKETCH_SOURCE"]) / "Applications" / "Studi
 STRING = r'"(?:[^"\\\n]|\\.)*"'
 TRANSLATED = re.compile(r"(?:\btr\(|\btranslate\(\s*%s,|QT_TRANSLATE_NOOP\(\s*%s,)\s*%s(?:\s*%s)*" % ((STRING,) * 4))
 # What no person reads, or a terminal shows.
-NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith|shippedFile)\(%s\)|\{ %s, (?=QT_TR)|[!=]= %s|const char\* const \w+ = %s|translate\(%s, (?!")|R"\(.*?\)"'
+NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith|shippedFile)\(%s\)|\{ %s, (?=QT_TR)|[!=]= %s|(?:constexpr const char\*|const char\* const) \w+ = %s|translate\(%s, (?!")|R"\(.*?\)"'
                       r'|(?:change\(|findParameter\(\*\w+, |findSystem\(|HeldStrokeTool\(|\.find\(|values\[|valueOr\(values, |GetInnerOutput\(|GetArray\()%s'
-                      r'|\{ %s, this->|options\.\w+\(%s|length : \{ %s, %s|\{ %s(?:\s*%s)*,(?=\s*QT_TR)|\{ %s, (?=line|ring|begins|isRing)|unusable\(%s' % ((STRING,) * 15), re.S)
+                      r'|\{ %s, this->|options\.\w+\(%s|length : \{ %s, %s|\{ %s(?:\s*%s)*,(?=\s*QT_TR)|\{ %s, (?=line|ring|begins|isRing)|unusable\(%s|system\(\) const override \{ return %s' % ((STRING,) * 16), re.S)
 SENTENCE = re.compile(r"[A-Za-z]{2,}[,.:]? [A-Za-z]|^\"[A-Z][a-z]+\"$")
 
 
@@ -20,7 +20,7 @@ def untranslated(text):
 
 
 def test_no_sentence_is_fixed():
-    sources = [path for path in STUDIO.rglob("*.cxx") if path.stem != "latency" and path.parent.name != "Testing"]
+    sources = [path for suffix in ("cxx", "h") for path in STUDIO.rglob("*." + suffix) if path.stem != "latency" and path.parent.name != "Testing"]
     assert len(sources) > 5
     assert {path.name: untranslated(path.read_text()) for path in sources if untranslated(path.read_text())} == {}
 

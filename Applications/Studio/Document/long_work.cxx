@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
+#include <QPointer>
 #include <QProgressDialog>
 #include <QStringList>
 #include <QThreadPool>
@@ -50,8 +51,9 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
   const Going goes(what);
   const auto shared = std::make_shared<Shared>();
   shared->work = std::move(work);
+  QEventLoop loop;
   QThreadPool::globalInstance()->start(
-    [shared]
+    [shared, waiting = QPointer<QEventLoop>(&loop)]
     {
       try
       {
@@ -64,6 +66,14 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
       }
       shared->work = nullptr; // with what it holds
       shared->done = true;
+      const auto wake = [waiting]
+      {
+        if (waiting)
+        {
+          waiting->quit();
+        }
+      };
+      QMetaObject::invokeMethod(QCoreApplication::instance(), wake, Qt::QueuedConnection);
     });
   QProgressDialog dialog(what, LongWorkTexts::tr("&Cancel"), 0, 0, parent);
   dialog.setWindowTitle(LongWorkTexts::tr("Oversketch"));
@@ -71,18 +81,6 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
   dialog.setMinimumDuration(2 * 60 * 60 * 1000); // it is shown here
   dialog.setAutoReset(false);
   dialog.reset();
-  QEventLoop loop;
-  QTimer look;
-  QObject::connect(&look,
-    &QTimer::timeout,
-    &loop,
-    [&]
-    {
-      if (shared->done)
-      {
-        loop.quit();
-      }
-    });
   QObject::connect(&dialog,
     &QProgressDialog::canceled,
     &loop,
@@ -91,7 +89,6 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
       shared->givenUp = true;
       loop.quit();
     });
-  look.start(5);
   // Before the dialogue is there no hand can do anything, and sees nothing of it.
   QTimer::singleShot(moment, &loop, [&loop] { loop.quit(); });
   loop.exec(QEventLoop::ExcludeUserInputEvents);

@@ -1,21 +1,27 @@
 #include "picture_files.h"
 
 #include "files.h"
-#include "opaque_picture.h"
 #include "pieces.h"
 #include "texture.h"
 #include "upright_picture.h"
 
+#include "Raster/skin.h"
+#include "vtkOversketchFilterTools.h"
+
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
+#include <QPointer>
 #include <QThreadPool>
-#include <QTimer>
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 #include <set>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -27,8 +33,6 @@ struct PictureTexts
 {
   Q_DECLARE_TR_FUNCTIONS(PictureFiles)
 };
-
-constexpr int lookTime = 10; // ms
 
 std::mutex heldMutex;
 std::vector<std::weak_ptr<const DecodedPicture>> held; // some are gone
@@ -113,33 +117,43 @@ void whenDecoded(QObject* context,
   const PictureBytes& bytes,
   const std::function<void(const SharedPicture&)>& then)
 {
-  struct Shared
-  {
-    std::atomic<bool> done{ false };
-    SharedPicture picture;
-  };
-  const auto shared = std::make_shared<Shared>();
   QThreadPool::globalInstance()->start(
-    [shared, bytes]
+    [bytes, then, alive = QPointer<QObject>(context)]() mutable
     {
-      shared->picture = decoded(bytes);
-      shared->picture->worn();
-      shared->done = true;
+      const SharedPicture picture = decoded(bytes);
+      picture->worn();
+      QMetaObject::invokeMethod(
+        QCoreApplication::instance(),
+        [picture, then = std::move(then), alive]
+        {
+          if (alive)
+          {
+            then(picture);
+          }
+        },
+        Qt::QueuedConnection);
     });
-  auto* look = new QTimer(context); // which the thread may outlive
-  QObject::connect(look,
-    &QTimer::timeout,
-    context,
-    [shared, look, then]
-    {
-      if (shared->done)
-      {
-        look->stop();
-        look->deleteLater();
-        then(shared->picture);
-      }
-    });
-  look->start(lookTime);
+}
+
+vtkSmartPointer<vtkImageData> opaquePicture(vtkImageData* picture)
+{
+  auto* pixels = vtkUnsignedCharArray::SafeDownCast(picture->GetPointData()->GetScalars());
+  const int parts = pixels ? pixels->GetNumberOfComponents() : 0; // of a pixel
+  if (parts != 2 && parts != 4)
+  {
+    return picture;
+  }
+  const int* size = picture->GetDimensions();
+  const std::vector<std::uint8_t> opaque =
+    oversketch::opaqueOf({ pixels->GetPointer(0), size[0], size[1], parts }, oversketch::ThreadsOnly());
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetNumberOfComponents(parts - 1);
+  colours->SetNumberOfTuples(pixels->GetNumberOfTuples());
+  std::copy(opaque.begin(), opaque.end(), colours->GetPointer(0));
+  auto made = vtkSmartPointer<vtkImageData>::New();
+  made->CopyStructure(picture);
+  made->GetPointData()->SetScalars(colours);
+  return made;
 }
 
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh)

@@ -54,6 +54,10 @@ void whenDecoded(QObject* context,
 // All that a mesh wears, ready to be worn; none of no mesh.
 std::vector<SharedPicture> decodedOf(vtkPolyData* mesh);
 
+// A picture (8 bits) without its alpha, as opaqueOf of Kernels/Raster/skin.h has it: there is nothing to be
+// seen through what wears it. One without alpha is given back itself.
+vtkSmartPointer<vtkImageData> opaquePicture(vtkImageData* picture);
+
 // Throws Failed, with words for the user, for what is no picture.
 struct ReadPicture
 {

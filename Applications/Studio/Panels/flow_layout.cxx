@@ -22,26 +22,6 @@ int gapOf(const QLayout& layout)
 
 } // namespace
 
-FlowLayout::~FlowLayout()
-{
-  qDeleteAll(this->Items);
-}
-
-void FlowLayout::addItem(QLayoutItem* item)
-{
-  this->Items << item;
-}
-
-QLayoutItem* FlowLayout::takeAt(int index)
-{
-  return index < 0 || index >= this->Items.size() ? nullptr : this->Items.takeAt(index);
-}
-
-int FlowLayout::heightForWidth(int width) const
-{
-  return this->arrange({ 0, 0, width, 0 }, false);
-}
-
 // In one line.
 QSize FlowLayout::sizeHint() const
 {

@@ -12,14 +12,17 @@ class FlowLayout : public QLayout
 {
 public:
   using QLayout::QLayout;
-  ~FlowLayout() override;
+  ~FlowLayout() override { qDeleteAll(this->Items); }
 
-  void addItem(QLayoutItem* item) override;
+  void addItem(QLayoutItem* item) override { this->Items << item; }
   int count() const override { return this->Items.size(); }
   QLayoutItem* itemAt(int index) const override { return this->Items.value(index); }
-  QLayoutItem* takeAt(int index) override;
+  QLayoutItem* takeAt(int index) override
+  {
+    return index < 0 || index >= this->Items.size() ? nullptr : this->Items.takeAt(index);
+  }
   bool hasHeightForWidth() const override { return true; }
-  int heightForWidth(int width) const override;
+  int heightForWidth(int width) const override { return this->arrange({ 0, 0, width, 0 }, false); }
   Qt::Orientations expandingDirections() const override { return {}; }
   QSize sizeHint() const override;
   QSize minimumSize() const override;

@@ -5,11 +5,10 @@
 #include "flow_layout.h"
 #include "message_text.h"
 #include "row_delegate.h"
-#include "system_strings.h"
-#include "step_summary.h"
 #include "step_list.h"
 #include "step_order.h"
 #include "step_panel.h"
+#include "system_strings.h"
 
 #include <QAction>
 #include <QLabel>
@@ -387,11 +386,6 @@ void HistoryPanel::select(int node, int line)
     row = isOfNode && item->data(lineRole).toInt() <= line ? i : row; // the last line where it is gone
   }
   this->List->setCurrentRow(row);
-}
-
-void HistoryPanel::selectStep(int node)
-{
-  this->select(node, -1);
 }
 
 void HistoryPanel::addStep(int at)

@@ -33,7 +33,7 @@ public:
   int current() const;
   int currentLine() const;
   // Selects a step; -1: none.
-  void selectStep(int node);
+  void selectStep(int node) { this->select(node, -1); }
   // Shows the form of a system while no step is selected.
   void turnTo(const std::string& system);
   // What can be done with it, for a menu; the first ones have buttons under the list, too.

@@ -10,7 +10,6 @@
 #include <string>
 #include <type_traits>
 #include <variant>
-#include <vector>
 
 namespace oversketch_studio
 {
@@ -20,6 +19,7 @@ using namespace oversketch_session;
 namespace
 {
 
+// No option of a tool is a list.
 QVariant kept(const Value& value)
 {
   return std::visit(
@@ -30,18 +30,13 @@ QVariant kept(const Value& value)
       {
         return QString::fromStdString(one);
       }
-      else if constexpr (std::is_same_v<T, std::vector<double>>)
+      else if constexpr (std::is_arithmetic_v<T>)
       {
-        QVariantList list;
-        for (const double number : one)
-        {
-          list << number;
-        }
-        return list;
+        return one;
       }
       else
       {
-        return one;
+        return {};
       }
     },
     value);
@@ -58,18 +53,13 @@ Value readAs(const Value& like, const QVariant& value)
       {
         return value.toString().toStdString();
       }
-      else if constexpr (std::is_same_v<T, std::vector<double>>)
+      else if constexpr (std::is_arithmetic_v<T>)
       {
-        std::vector<double> numbers;
-        for (const QVariant& number : value.toList())
-        {
-          numbers.push_back(number.toDouble());
-        }
-        return numbers;
+        return value.value<T>();
       }
       else
       {
-        return value.value<T>();
+        return one;
       }
     },
     like);

@@ -163,8 +163,7 @@ void ScenePanel::listenToList()
 
 ScenePanel::Row ScenePanel::rowAt(int at) const
 {
-  return at >= 0 && at < static_cast<int>(this->Rows.size()) ? this->Rows[static_cast<std::size_t>(at)]
-                                                             : Row();
+  return at >= 0 && at < static_cast<int>(this->Rows.size()) ? this->Rows[indexOf(at)] : Row();
 }
 
 int ScenePanel::current() const
@@ -174,7 +173,7 @@ int ScenePanel::current() const
 
 Picture ScenePanel::pictureAt(const Row& row) const
 {
-  return *this->OpenDocument->session().pictures[static_cast<std::size_t>(row.picture)];
+  return *this->OpenDocument->session().pictures[indexOf(row.picture)];
 }
 
 void ScenePanel::refresh()
@@ -277,7 +276,7 @@ void ScenePanel::list()
     }
     for (int i = 0; isChosen && i < parts.size(); ++i)
     {
-      const int part = this->Parts[static_cast<std::size_t>(i)];
+      const int part = this->Parts[indexOf(i)];
       this->addRow({ at, part },
         count > 1 ? QString(3, ' ') + parts[i] : parts[i],
         tr("A part of the model"),
@@ -306,9 +305,8 @@ void ScenePanel::showSelected()
   this->Add->setEnabled(open);
   this->View->setEnabled(isPicture);
   const Picture picture = isPicture ? this->pictureAt(row) : Picture();
-  const bool locked = isModel
-                        ? modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model)).locked
-                        : picture.locked;
+  const bool locked =
+    isModel ? modelAt(this->OpenDocument->session(), indexOf(row.model)).locked : picture.locked;
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
   this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
@@ -365,37 +363,29 @@ void ScenePanel::choose(int at)
 void ScenePanel::setShown(int at, bool shown)
 {
   const Row row = this->rowAt(at);
-  const Session& session = this->OpenDocument->session();
-  if (row.picture >= 0)
-  {
-    Picture picture = this->pictureAt(row);
-    picture.shown = shown;
-    this->OpenDocument->setPicture(row.picture, picture);
-  }
-  else if (row.part >= 0)
-  {
-    this->OpenDocument->setPart(row.part, shown);
-  }
-  else if (row.model >= 0)
-  {
-    const bool locked = modelAt(session, static_cast<std::size_t>(row.model)).locked;
-    this->OpenDocument->setModel(row.model, shown, locked);
-  }
+  row.part >= 0 ? this->OpenDocument->setPart(row.part, shown)
+                : this->change(row, [shown](bool& isShown, bool&) { isShown = shown; });
 }
 
 void ScenePanel::lock(bool locked)
 {
-  const Row row = this->rowAt(this->List->currentRow());
+  this->change(this->rowAt(this->List->currentRow()), [locked](bool&, bool& isLocked) { isLocked = locked; });
+}
+
+void ScenePanel::change(const Row& row, const std::function<void(bool& shown, bool& locked)>& how)
+{
   if (row.picture >= 0)
   {
     Picture picture = this->pictureAt(row);
-    picture.locked = locked;
+    how(picture.shown, picture.locked);
     this->OpenDocument->setPicture(row.picture, picture);
   }
   else if (row.model >= 0)
   {
-    const Model& of = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
-    this->OpenDocument->setModel(row.model, of.shown, locked);
+    const Model& now = modelAt(this->OpenDocument->session(), indexOf(row.model));
+    bool shown = now.shown, locked = now.locked;
+    how(shown, locked);
+    this->OpenDocument->setModel(row.model, shown, locked);
   }
 }
 
@@ -418,7 +408,7 @@ void ScenePanel::exportRow()
   const Row row = this->rowAt(at);
   if (row.model >= 0)
   {
-    const Model& model = modelAt(this->OpenDocument->session(), static_cast<std::size_t>(row.model));
+    const Model& model = modelAt(this->OpenDocument->session(), indexOf(row.model));
     emit this->exportAsked(row.model,
       row.part,
       row.part < 0 ? QString::fromStdString(model.meshName) : this->List->item(at)->text().trimmed());

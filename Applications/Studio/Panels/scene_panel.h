@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <functional>
 #include <set>
 #include <vector>
 
@@ -66,6 +67,8 @@ private:
   QStringList partNames() const;
   void choose(int at);
   void setShown(int at, bool shown);
+  // Another way in which a model or a picture is in the scene.
+  void change(const Row& row, const std::function<void(bool& shown, bool& locked)>& how);
   void lock(bool locked);
   void remove();
   void exportRow();

@@ -100,11 +100,6 @@ int StepList::slotAt(int y) const
   return above;
 }
 
-int StepList::edgeOf(int slot) const
-{
-  return slot < this->Steps ? this->rectOf(slot).top() : this->rectOf(this->Steps - 1).bottom();
-}
-
 void StepList::hold(Held what)
 {
   this->Hand = what;

@@ -55,7 +55,10 @@ private:
     Marker
   };
   int slotAt(int y) const; // the number of steps above
-  int edgeOf(int slot) const;
+  int edgeOf(int slot) const
+  {
+    return slot < this->Steps ? this->rectOf(slot).top() : this->rectOf(this->Steps - 1).bottom();
+  }
   QRect rectOf(int step) const; // of its row and those of its lines
   void hold(Held what);
   void drag(const QPoint& at);

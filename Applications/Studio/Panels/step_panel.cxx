@@ -1,6 +1,5 @@
 #include "step_panel.h"
 
-#include "mirror_choice.h"
 #include "system_strings.h"
 
 #include <QApplication>
@@ -31,6 +30,13 @@ constexpr const char* exactValue = "exactValue"; // a property of a slider, of a
 
 } // namespace
 
+QComboBox* StepPanel::mirrorChoice(QWidget* parent)
+{
+  auto* choice = new QComboBox(parent);
+  choice->addItems({ tr("Off"), tr("Left–right (x)"), tr("Up–down (y)"), tr("Front–back (z)") });
+  return choice;
+}
+
 StepPanel::StepPanel(QWidget* parent)
   : QStackedWidget(parent)
 {
@@ -38,20 +44,15 @@ StepPanel::StepPanel(QWidget* parent)
   {
     this->addPage(row);
   }
-  if (!this->Pages.empty())
+  if (!systems().empty())
   {
-    this->Shown = &this->Pages.find(systems().front().name)->second;
-    this->setCurrentWidget(this->Shown->widget);
+    this->turnTo(systems().front().name);
   }
-  this->show(nullptr);
 }
-
-StepPanel::~StepPanel() = default;
 
 void StepPanel::addPage(const SystemRow& row)
 {
   Page page;
-  page.row = &row;
   // A small window scrolls a form that has many rows.
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);

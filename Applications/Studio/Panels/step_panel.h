@@ -23,12 +23,13 @@ class StepPanel : public QStackedWidget
 
 public:
   explicit StepPanel(QWidget* parent = nullptr);
-  ~StepPanel() override;
 
   // Null: no step is selected; the form that was last seen stays, and can do nothing.
   void show(const oversketch_session::Step* step);
   // While none is: the form of a system that the hand now makes steps of.
   void turnTo(const std::string& system);
+  // The choice of a mirror plane: none, x, y, z. Its index is what Document::mirrorPlane takes.
+  static QComboBox* mirrorChoice(QWidget* parent);
 
 signals:
   // The user has changed something; `mirror` is a choice of mirrorChoice.
@@ -54,7 +55,6 @@ private:
     QWidget* widget = nullptr;
     std::vector<Field> fields;
     QComboBox* mirror = nullptr;
-    const oversketch_session::SystemRow* row = nullptr;
   };
   void addPage(const oversketch_session::SystemRow& row);
   Field addField(const oversketch_session::Parameter& parameter, QWidget* page, QFormLayout* form);

@@ -1,6 +1,9 @@
-// What the list of systems says, in the user's language.
+// What the list of systems says, and what their steps did, in the user's language.
 #ifndef oversketch_applications_studio_panels_system_strings_h
 #define oversketch_applications_studio_panels_system_strings_h
+
+#include "session.h"
+#include "worker.h"
 
 #include <QString>
 #include <QStringList>
@@ -19,6 +22,15 @@ QString rowSentence(const std::string& text);
 QString titleOf(const std::string& system);
 // Texts of files that were read or written.
 QStringList listOf(const std::vector<std::string>& texts);
+// Its words in lines of so many characters at most, where none is longer.
+QStringList wrapped(const QString& text, int most);
+
+// What a step of the history did, in a few words for its row.
+// `state`: null where the step has not been run.
+QString wordsOf(const oversketch_session::Node& node, const oversketch_session::Worker::NodeState* state);
+
+// Why a step cannot stand before another one.
+QString whyNotBefore(const oversketch_session::Node& step, const oversketch_session::Node& needed);
 
 } // namespace oversketch_studio
 #endif

@@ -2,7 +2,6 @@
 // First: it brings the headers of TBB, which name a function as Qt names its word emit.
 #include "vtkImplicitPolyDataDistance.h"
 
-#include "draws_on_processor.h"
 #include "files.h"
 #include "mesh_file.h"
 #include "message_text.h"
@@ -10,6 +9,7 @@
 #include "texture.h"
 #include "tool.h"
 
+#include "vtkOversketchDrawingWidget.h"
 #include "vtkOversketchInteractorStyle.h"
 
 #include "vtkCallbackCommand.h"
@@ -78,7 +78,7 @@ TEST(Drawing, APictureBecomesAModelThatWearsIt)
   sheet.settle();
   EXPECT_FALSE(sheet.mesh());
   EXPECT_FALSE(sheet.view->mesh()) << "a drawing without lines has a model";
-  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 0);
+  EXPECT_EQ(sheet.pad->widget()->GetDrawing()->GetNumberOfLines(), 0);
   sheet.document->redo();
   sheet.settle();
   EXPECT_EQ(sheet.document->digest(), made);
@@ -87,7 +87,7 @@ TEST(Drawing, APictureBecomesAModelThatWearsIt)
   sheet.settle();
   EXPECT_EQ(sheet.document->digest(), made);
   EXPECT_TRUE(sheet.pad->isVisible());
-  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 1);
+  EXPECT_EQ(sheet.pad->widget()->GetDrawing()->GetNumberOfLines(), 1);
 }
 
 TEST(Drawing, AClickMakesAHoleAndATunnel)
@@ -113,7 +113,7 @@ TEST(Drawing, AClickMakesAHoleAndATunnel)
   // The line is switched off, and taken away.
   sheet.list->item(2)->setCheckState(Qt::Unchecked);
   sheet.settle();
-  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 1);
+  EXPECT_EQ(sheet.pad->widget()->GetDrawing()->GetNumberOfLines(), 1);
   EXPECT_NE(sheet.document->digest(), filled);
   EXPECT_EQ(sheet.document->digest(), replayed(sheet.session()));
   EXPECT_EQ(sheet.strokes().size(), 2u);
@@ -305,8 +305,8 @@ TEST(Drawing, ALineIsDrawnAnewWhole)
   EXPECT_EQ(sheet.row(2), "Line 2, hole") << "it is filled";
   EXPECT_EQ(sheet.failure(), "");
   EXPECT_EQ(eulerOf(sheet.mesh()), 0);
-  EXPECT_EQ(sheet.pad->drawing()->GetNumberOfLines(), 2);
-  EXPECT_EQ(sheet.pad->said().text(), "");
+  EXPECT_EQ(sheet.pad->widget()->GetDrawing()->GetNumberOfLines(), 2);
+  EXPECT_EQ(sheet.pad->widget()->GetSaid().text(), "");
   sheet.line({ { 280, 180 }, { 290, 190 }, { 300, 180 } });
   EXPECT_EQ(sheet.strokes().size(), 3u) << "the next line still replaces it";
 }
@@ -333,7 +333,7 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   vtkPolyData* shown = sheet.view->mesh();
   // A line in the void: told in the picture and below, the model is the same.
   sheet.line({ { 350, 40 }, { 370, 60 }, { 380, 90 } });
-  EXPECT_FALSE(sheet.pad->said().empty());
+  EXPECT_FALSE(sheet.pad->widget()->GetSaid().empty());
   EXPECT_TRUE(sheet.advice->text().contains("Ctrl+Z")) << sheet.advice->text().toStdString();
   EXPECT_EQ(sheet.failure(), "");
   EXPECT_EQ(sheet.document->digest(), made);
@@ -498,7 +498,7 @@ TEST(Drawing, AnEnlargedPictureIsFitted)
 TEST(Drawing, ALineOverALargePictureDoesNotLag)
 {
   DrawingPad pad;
-  pad.setMagnetic(false); // looks for edges when the pen goes up
+  pad.widget()->SetMagnetic(false); // looks for edges when the pen goes up
   pad.resize(480, 640);
   pad.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&pad, 60000));

@@ -3,9 +3,9 @@
 #include "language.h"
 
 #include "document.h"
+#include "resources.h"
 #include "scene.h"
 #include "tool.h"
-#include "translations.h"
 
 #include <QAbstractButton>
 #include <QComboBox>

@@ -2,7 +2,6 @@
 // nothing lies over another, nothing is cut off, no room is wasted.
 #include "advice_label.h"
 #include "options_stack.h"
-#include "overlays.h"
 #include "scene.h"
 #include "tool.h"
 
@@ -153,7 +152,7 @@ void expectHintBeside(Scene& scene)
   EXPECT_GE(text.bottom, 0.0);
   EXPECT_LE(text.top, ratio * scene.view->height());
   EXPECT_GE(text.top - text.bottom, 10.0 * ratio);
-  const auto taken = overlaysOf(*scene.view);
+  const auto taken = scene.view->overlays();
   EXPECT_EQ(taken.size(), 2u);
   for (const Hint::Box& box : taken)
   {

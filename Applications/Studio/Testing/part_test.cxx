@@ -8,6 +8,8 @@
 
 #include "pen_view.h"
 
+#include "vtkOversketchDrawingWidget.h"
+
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 
@@ -223,7 +225,7 @@ TEST(Part, ASecondPictureIsAPartOfTheModel)
   ASSERT_TRUE(desk.part());
   EXPECT_FALSE(desk.step(0).part);
   const std::string alone = desk.document->digest();
-  EXPECT_EQ(desk.pad->drawing()->GetNumberOfLines(), 0) << "the first picture is still drawn on";
+  EXPECT_EQ(desk.pad->widget()->GetDrawing()->GetNumberOfLines(), 0) << "the first picture is still drawn on";
   EXPECT_EQ(desk.list->currentRow(), 2) << "the new row is not selected";
   // Its size, on the middle of the model.
   double box[6];
@@ -256,7 +258,8 @@ TEST(Part, ASecondPictureIsAPartOfTheModel)
   EXPECT_EQ(replayed(desk.session()), both);
   // Rows choose what is drawn on.
   desk.list->setCurrentRow(0);
-  EXPECT_EQ(desk.pad->drawing()->GetNumberOfPoints(), linesOf(desk.step(0), "Strokes")->GetNumberOfPoints());
+  EXPECT_EQ(desk.pad->widget()->GetDrawing()->GetNumberOfPoints(),
+    linesOf(desk.step(0), "Strokes")->GetNumberOfPoints());
   desk.line(ring({ 240, 185 }, 28));
   desk.click({ 240, 185 });
   EXPECT_EQ(strokesOf(linesOf(desk.step(0), "Strokes")).size(), 2u);

@@ -4,7 +4,7 @@
 #include "mesh_file.h"
 #include "models.h"
 #include "mouse.h"
-#include "opaque_picture.h"
+#include "picture_files.h"
 #include "point_normals.h"
 #include "texture.h"
 #include "viewport.h"

@@ -7,7 +7,7 @@
 #include "solids.h"
 #include "tool.h"
 #include "view_bar.h"
-#include "view_settings.h"
+#include "view_menu.h"
 
 #include "Harness/polydata.h"
 

@@ -74,21 +74,6 @@ AugmentTool::AugmentTool(Viewport* viewport, const Document* document)
   this->setValues(this->values());
 }
 
-QString AugmentTool::title() const
-{
-  return tr("&Line on surface");
-}
-
-QKeySequence AugmentTool::key() const
-{
-  return tr("B");
-}
-
-QString AugmentTool::help() const
-{
-  return tr("Draw a line on the model, and it rises (B). The middle button always turns.");
-}
-
 // A surface, and a line's section that rises from it.
 QPainterPath AugmentTool::icon() const
 {
@@ -109,11 +94,6 @@ QVector<QPair<QString, QString>> AugmentTool::keys() const
     { tr("Ctrl + wheel"), tr("wider, narrower") },
     { tr("Shift + wheel"), tr("higher, lower; through to carving and back") },
   };
-}
-
-QString AugmentTool::hint() const
-{
-  return tr("Draw a line on the body like this, and it rises");
 }
 
 QString AugmentTool::advice(const Situation& situation) const
@@ -200,11 +180,6 @@ void AugmentTool::setOptions(const Values& options)
   this->Profile->setShape(
     std::get<std::string>(options.at("Profile")), std::get<double>(options.at("Sharpness")));
   this->shape(false);
-}
-
-QString AugmentTool::pressure() const
-{
-  return tr("is the line's height, where Pressure is height is ticked");
 }
 
 QWidget* AugmentTool::makePanel(QWidget* parent)

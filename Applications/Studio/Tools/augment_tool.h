@@ -17,12 +17,15 @@ class AugmentTool : public HeldStrokeTool
 public:
   AugmentTool(Viewport* viewport, const Document* document);
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("&Line on surface"); }
+  QKeySequence key() const override { return tr("B"); }
+  QString help() const override
+  {
+    return tr("Draw a line on the model, and it rises (B). The middle button always turns.");
+  }
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
-  QString hint() const override;
+  QString hint() const override { return tr("Draw a line on the body like this, and it rises"); }
   HintShape hintShape() const override { return HintShape::Line; }
   QString advice(const Situation& situation) const override;
   QString stage(const QString& name) const override;
@@ -30,7 +33,7 @@ public:
   QWidget* makeOptions(QWidget* parent) override;
   oversketch_session::Values options() const override;
   void setOptions(const oversketch_session::Values& options) override;
-  QString pressure() const override;
+  QString pressure() const override { return tr("is the line's height, where Pressure is height is ticked"); }
   QWidget* makePanel(QWidget* parent) override;
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,

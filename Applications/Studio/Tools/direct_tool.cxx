@@ -11,21 +11,6 @@ DirectTool::DirectTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport
   this->setObjectName("direct");
 }
 
-QString DirectTool::title() const
-{
-  return tr("Dir&ect edit");
-}
-
-QKeySequence DirectTool::key() const
-{
-  return tr("E");
-}
-
-QString DirectTool::help() const
-{
-  return tr("Draw a line on the model and a ring round it, and drag the line (E)");
-}
-
 // Three axes on a line.
 QPainterPath DirectTool::icon() const
 {

@@ -14,9 +14,12 @@ class DirectTool : public EditTool
 public:
   DirectTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport);
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("Dir&ect edit"); }
+  QKeySequence key() const override { return tr("E"); }
+  QString help() const override
+  {
+    return tr("Draw a line on the model and a ring round it, and drag the line (E)");
+  }
   QPainterPath icon() const override;
 
 protected:

@@ -9,6 +9,7 @@
 #include "systems.h"
 #include "viewport.h"
 
+#include "vtkOversketchDrawingWidget.h"
 #include "vtkOversketchInteractorStyle.h"
 
 #include "Raster/classify.h"
@@ -77,7 +78,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
     {
       if (this->Pad)
       {
-        this->Pad->setMagnetic(on);
+        this->Pad->widget()->SetMagnetic(on);
       }
       emit this->left();
     });
@@ -87,21 +88,6 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
   connect(document, &Document::opened, this, &DrawingTool::follow);
   connect(document, &Document::changed, this, &DrawingTool::follow);
-}
-
-QString DrawingTool::title() const
-{
-  return tr("Ima&ge to model");
-}
-
-QKeySequence DrawingTool::key() const
-{
-  return tr("G");
-}
-
-QString DrawingTool::help() const
-{
-  return tr("Draw round a shape in a picture, and it becomes a model (G)");
 }
 
 // A picture's corner, a line round something in it.
@@ -152,7 +138,7 @@ QString DrawingTool::need() const
   {
     return tr("All lines of the drawing are off. Tick one in the list.");
   }
-  vtkDataArray* closed = this->Pad->curves()->GetCellData()->GetArray("Closed");
+  vtkDataArray* closed = this->Pad->widget()->GetCurves()->GetCellData()->GetArray("Closed");
   if (closed && closed->GetRange(0)[1] == 0.0)
   {
     return this->Arranged
@@ -193,12 +179,12 @@ bool DrawingTool::judges() const
   const auto& states = this->OpenDocument->result().nodes;
   const bool isMade = at >= 0 && this->Pad && indexOf(at) < states.size() && this->Redrawn < 0 &&
                       states[indexOf(at)].failure.empty() && !states[indexOf(at)].remark.empty();
-  return !isMade || !this->need().isEmpty() || !this->Pad->said().empty();
+  return !isMade || !this->need().isEmpty() || !this->Pad->widget()->GetSaid().empty();
 }
 
 bool DrawingTool::isCrossing() const
 {
-  const std::string said = this->Pad ? this->Pad->said().first().id() : "";
+  const std::string said = this->Pad ? this->Pad->widget()->GetSaid().first().id() : "";
   return !this->Arranged && (said == oversketch::crossesText || said == oversketch::crossesItselfText);
 }
 
@@ -225,7 +211,7 @@ QString DrawingTool::advice(const Situation&) const
     return lacks;
   }
   const auto& states = this->OpenDocument->result().nodes;
-  const QString wrong = this->inLines(this->Pad->said().first()); // the picture has all of them
+  const QString wrong = this->inLines(this->Pad->widget()->GetSaid().first()); // the picture has all of them
   if (!wrong.isEmpty())
   {
     return this->isCrossing()
@@ -242,7 +228,7 @@ QString DrawingTool::advice(const Situation&) const
       "Over the model: drag the box's middle to move the part, a corner for its size, the orange handle "
       "for its depth. D pulls a limb of the model.");
   }
-  if (countOf(this->Pad->curves(), closedFeature) > 0)
+  if (countOf(this->Pad->widget()->GetCurves(), closedFeature) > 0)
   {
     return tr(
       "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part of "
@@ -359,11 +345,6 @@ void DrawingTool::setDark(bool dark)
   }
 }
 
-void DrawingTool::redraw(int stroke)
-{
-  this->Redrawn = stroke;
-}
-
 void DrawingTool::follow()
 {
   const int at = this->node();
@@ -426,19 +407,19 @@ void DrawingTool::follow()
   const Parameter* crossing = findParameter(*row, "Arrange");
   const bool arranged = std::get<bool>(valueOf(step, *crossing));
   const bool judgedAnew = std::exchange(this->Arranged, arranged) != arranged;
-  this->Pad->setArranged(arranged);
+  this->Pad->widget()->SetArrange(arranged);
   const auto identity = drawn ? drawn->identity() : nullptr;
   if (identity != this->Shown)
   {
     this->Shown = identity;
     this->Redrawn = -1;
     this->Strokes = strokesOf(drawing);
-    this->Pad->setDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
-    this->Pad->showText(this->inLines(this->Pad->said()));
+    this->Pad->widget()->SetDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
+    this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
   else if (judgedAnew)
   {
-    this->Pad->showText(this->inLines(this->Pad->said()));
+    this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
 }
 
@@ -481,7 +462,7 @@ void DrawingTool::take()
     return;
   }
   // Those that are off were not on the pad; what is new there is its last one.
-  const std::vector<DrawnStroke> now = strokesOf(this->Pad->drawing());
+  const std::vector<DrawnStroke> now = strokesOf(this->Pad->widget()->GetDrawing());
   std::vector<DrawnStroke> next = this->Strokes;
   std::size_t k = 0;
   for (DrawnStroke& stroke : next)
@@ -506,13 +487,13 @@ void DrawingTool::take()
   {
     next.push_back(now[k]);
   }
-  const Step step = withDrawing(
-    *this->OpenDocument->session().nodes[indexOf(at)].step, drawingOf(next, this->Pad->drawing()));
+  const Step step = withDrawing(*this->OpenDocument->session().nodes[indexOf(at)].step,
+    drawingOf(next, this->Pad->widget()->GetDrawing()));
   if (!replaces) // the pad shows it already
   {
     this->Strokes = next;
     this->Shown = std::get<Lines>(step.inputs.at(strokesInput)).identity();
-    this->Pad->showText(this->inLines(this->Pad->said()));
+    this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
   emit this->edited(at, step);
 }

@@ -27,9 +27,9 @@ class DrawingTool : public Tool
 public:
   DrawingTool(Viewport* viewport, const Document* document);
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("Ima&ge to model"); }
+  QKeySequence key() const override { return tr("G"); }
+  QString help() const override { return tr("Draw round a shape in a picture, and it becomes a model (G)"); }
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
   QString advice(const Situation& situation) const override;
@@ -61,7 +61,7 @@ public:
   void setPixelRatio(double ratio) override { this->Handles.setPixelRatio(ratio); }
   void frameBegins() override { this->Handles.follow(); }
   void showLines(bool show) override { this->Handles.setVisible(show); }
-  void redraw(int stroke) override;
+  void redraw(int stroke) override { this->Redrawn = stroke; }
 
 private:
   bool isCrossing() const; // a line another, or itself, which may be allowed

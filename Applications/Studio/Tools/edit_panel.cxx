@@ -1,6 +1,6 @@
 #include "edit_panel.h"
 
-#include "flat_view.h"
+#include "frame_view.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -23,7 +23,7 @@ constexpr int leastWidth = 190, leastHeight = 90;
 EditPanel::EditPanel(QWidget* canvas, const QString& title, const QString& name, QWidget* parent)
   : QWidget(parent)
   , Canvas(canvas)
-  , Picture(new FlatView(this))
+  , Picture(new FrameView(this))
   , Controls(new QHBoxLayout)
 {
   this->Picture->setObjectName(name);

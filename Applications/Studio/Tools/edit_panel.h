@@ -14,7 +14,7 @@ class vtkRenderer;
 namespace oversketch_studio
 {
 
-class FlatView;
+class FrameView;
 
 constexpr int panelSide = 240; // px, of a panel that opens
 
@@ -44,7 +44,7 @@ protected:
 
 private:
   QPointer<QWidget> Canvas; // it may go first
-  FlatView* Picture;
+  FrameView* Picture;
   QHBoxLayout* Controls;
 };
 

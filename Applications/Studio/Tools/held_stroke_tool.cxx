@@ -2,7 +2,7 @@
 
 #include "document.h"
 #include "latency.h"
-#include "mirror_choice.h"
+#include "step_panel.h"
 #include "systems.h"
 #include "viewport.h"
 
@@ -14,7 +14,7 @@
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkMath.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindowInteractor.h"
@@ -67,16 +67,10 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
   this->Widget->GetHeldStrokeRepresentation()->ShowFromElsewhereOff(); // StrokeLines does
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void*)
-    { static_cast<HeldStrokeTool*>(self)->heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    this->Widget->AddObserver(event, this->Observer);
-  }
+  this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &HeldStrokeTool::begins);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &HeldStrokeTool::goesOn);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &HeldStrokeTool::letGo);
+  this->Widget->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &HeldStrokeTool::strokeEnds);
   // Return leaves the stroke alone, so that the next one can begin on it; a move of the camera, its preview.
   connect(viewport,
     &Viewport::returned,
@@ -106,7 +100,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
 
 HeldStrokeTool::~HeldStrokeTool()
 {
-  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->RemoveAllObservers();
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
 }
@@ -130,7 +124,7 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   }
   auto* options = new QWidget(parent);
   auto* label = new QLabel(tr("Mirror"), options);
-  this->Mirror = mirrorChoice(options);
+  this->Mirror = StepPanel::mirrorChoice(options);
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
   this->Mirror->setAccessibleName(tr("Mirror"));
@@ -200,16 +194,6 @@ void HeldStrokeTool::offerNothing()
   this->View->renderSoon();
 }
 
-void HeldStrokeTool::setFollowing(const std::shared_ptr<const Following>& following)
-{
-  this->Followed = following;
-}
-
-void HeldStrokeTool::setMesh(vtkPolyData* mesh)
-{
-  this->Section.setMesh(mesh);
-}
-
 // VTK counts the screen's own pixels.
 void HeldStrokeTool::setPixelRatio(double ratio)
 {
@@ -258,40 +242,30 @@ void HeldStrokeTool::showLines(bool show)
   this->Widget->GetHeldStrokeRepresentation()->SetVisibility(show);
 }
 
-void HeldStrokeTool::heard(unsigned long event)
+void HeldStrokeTool::begins()
 {
-  switch (event)
+  this->View->hideHint();
+  this->MovePreview = nullptr;
+  if (this->draws())
   {
-    case vtkCommand::StartInteractionEvent:
-      this->View->hideHint();
-      this->MovePreview = nullptr;
-      if (this->draws())
-      {
-        this->Section.lineBegins();
-      }
-      else if (const auto before = this->meshBefore())
-      {
-        this->Section.setMesh(before);
-        this->LooksBefore = true;
-      }
-      break;
-    case vtkCommand::InteractionEvent:
-      if (this->moves())
-      {
-        this->followHand();
-      }
-      else
-      {
-        Latency::of().sample();
-        this->Section.lineGrows();
-      }
-      break;
-    case vtkCommand::EndInteractionEvent:
-      this->letGo();
-      break;
-    default:
-      this->strokeEnds();
+    this->Section.lineBegins();
   }
+  else if (const auto before = this->meshBefore())
+  {
+    this->Section.setMesh(before);
+    this->LooksBefore = true;
+  }
+}
+
+void HeldStrokeTool::goesOn()
+{
+  if (this->moves())
+  {
+    this->followHand();
+    return;
+  }
+  Latency::of().sample();
+  this->Section.lineGrows();
 }
 
 void HeldStrokeTool::strokeEnds()

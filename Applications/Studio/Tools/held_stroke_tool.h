@@ -12,7 +12,6 @@
 #include <memory>
 
 class QComboBox;
-class vtkCallbackCommand;
 class vtkOversketchHeldStrokeWidget;
 class vtkOversketchStrokeWidget;
 
@@ -49,8 +48,11 @@ public:
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point& place) override;
   void offerNothing() override;
-  void setFollowing(const std::shared_ptr<const oversketch_session::Following>& following) override;
-  void setMesh(vtkPolyData* mesh) override;
+  void setFollowing(const std::shared_ptr<const oversketch_session::Following>& following) override
+  {
+    this->Followed = following;
+  }
+  void setMesh(vtkPolyData* mesh) override { this->Section.setMesh(mesh); }
   void setPixelRatio(double ratio) override;
   void setSteadiness(double pixels) override;
   void setPressure(double pressure) override;
@@ -69,7 +71,8 @@ protected:
   const Document* document() const { return this->OpenDocument; }
 
 private:
-  void heard(unsigned long event);
+  void begins();
+  void goesOn();
   void strokeEnds();
   void followHand();
   void letGo();
@@ -80,7 +83,6 @@ private:
   const Document* OpenDocument;
   QComboBox* Mirror = nullptr;
   vtkNew<vtkOversketchHeldStrokeWidget> Widget; // shows and moves strokes; the document runs them
-  vtkNew<vtkCallbackCommand> Observer;
   PenSection Section;
   oversketch_session::Values StrokeValues;
   std::shared_ptr<const oversketch_session::Following> Followed;

@@ -9,21 +9,6 @@ OneStrokeTool::OneStrokeTool(Viewport* viewport, const Document* document)
   this->setObjectName("outline");
 }
 
-QString OneStrokeTool::title() const
-{
-  return tr("&Outline");
-}
-
-QKeySequence OneStrokeTool::key() const
-{
-  return tr("D");
-}
-
-QString OneStrokeTool::help() const
-{
-  return tr("Draw where an outline shall be (D). The middle button always turns.");
-}
-
 // A limb, and the line that it is to follow.
 QPainterPath OneStrokeTool::icon() const
 {
@@ -45,11 +30,6 @@ QVector<QPair<QString, QString>> OneStrokeTool::keys() const
   };
 }
 
-QString OneStrokeTool::hint() const
-{
-  return tr("Draw a line like this, and the tail follows");
-}
-
 QString OneStrokeTool::advice(const Situation& situation) const
 {
   if (situation.redraws)
@@ -69,11 +49,6 @@ QString OneStrokeTool::advice(const Situation& situation) const
   return tr("Draw on, or drag the red line to move the stroke (Shift: redraw a part; Return: "
             "leave it and draw there). Ctrl+Z undoes. The "
             "middle button turns the model.");
-}
-
-QString OneStrokeTool::remedy() const
-{
-  return tr("Ctrl+Z undo · F3 other outline · [ ] reach");
 }
 
 QString OneStrokeTool::stage(const QString& name) const

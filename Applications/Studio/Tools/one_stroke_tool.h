@@ -14,14 +14,17 @@ class OneStrokeTool : public HeldStrokeTool
 public:
   OneStrokeTool(Viewport* viewport, const Document* document);
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("&Outline"); }
+  QKeySequence key() const override { return tr("D"); }
+  QString help() const override
+  {
+    return tr("Draw where an outline shall be (D). The middle button always turns.");
+  }
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
-  QString hint() const override;
+  QString hint() const override { return tr("Draw a line like this, and the tail follows"); }
   QString advice(const Situation& situation) const override;
-  QString remedy() const override;
+  QString remedy() const override { return tr("Ctrl+Z undo · F3 other outline · [ ] reach"); }
   QString stage(const QString& name) const override;
 };
 

@@ -113,11 +113,6 @@ void PartHandles::show(const std::optional<PartPlace>& place)
   this->View->renderSoon();
 }
 
-void PartHandles::setVisible(bool visible)
-{
-  this->Visible = visible;
-}
-
 void PartHandles::follow()
 {
   this->Seen.reset();

@@ -34,7 +34,8 @@ public:
   void show(const std::optional<oversketch_session::PartPlace>& place);
   // A frame begins: where the handles are seen in it.
   void follow();
-  void setVisible(bool visible); // for a picture without them
+  // For a picture without them.
+  void setVisible(bool visible) { this->Visible = visible; }
   void setPixelRatio(double ratio);
   bool isHeld() const { return this->Held.has_value(); }
 

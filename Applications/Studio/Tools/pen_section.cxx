@@ -38,8 +38,6 @@ PenSection::PenSection(const oversketch_session::SystemRow& system,
   connect(this->Rest, &QTimer::timeout, this, &PenSection::rested);
 }
 
-PenSection::~PenSection() = default;
-
 void PenSection::setMesh(vtkPolyData* mesh)
 {
   this->Finder.setMesh(mesh);
@@ -57,11 +55,6 @@ void PenSection::lineBegins()
 {
   this->Outdated = this->Asked;
   this->look();
-}
-
-void PenSection::lineMoves(vtkPolyData* stroke)
-{
-  this->Asked = this->Finder.find(stroke, this->StrokeValues);
 }
 
 void PenSection::moveEnds()

@@ -26,7 +26,6 @@ public:
     vtkOversketchHeldStrokeWidget* widget,
     oversketch_session::SectionFinder::Look look = {},
     QObject* parent = nullptr);
-  ~PenSection() override;
 
   // The mesh that is drawn over from here on.
   void setMesh(vtkPolyData* mesh);
@@ -35,7 +34,7 @@ public:
   // The pen goes down; the line has grown; a frame begins that shows it; a frame has been painted.
   void lineBegins();
   // A stroke that is moved has come there; it has been let go of.
-  void lineMoves(vtkPolyData* stroke);
+  void lineMoves(vtkPolyData* stroke) { this->Asked = this->Finder.find(stroke, this->StrokeValues); }
   void moveEnds();
   void lineGrows() { this->Grew = true; }
   void frameBegins();

@@ -1,5 +1,7 @@
 #include "preview.h"
 
+#include "vtkOversketchFilterTools.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
@@ -8,7 +10,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace oversketch_studio
 {
@@ -28,108 +30,67 @@ Preview::Preview(vtkPolyData* rest, const Following& following)
     const auto own = vtkSmartPointer<vtkDataArray>::Take(normals->NewInstance());
     own->DeepCopy(normals);
     this->Shown->GetPointData()->SetNormals(own);
-    this->findTurned();
+    this->findPatch();
     this->Before = this->normals();
   }
 }
 
-Preview::~Preview() = default;
-
-// The points that move and those that share a triangle with one, and all triangles round these.
-void Preview::findTurned()
+// Round the points that move and those that share a triangle with one.
+void Preview::findPatch()
 {
   const auto count = static_cast<std::size_t>(this->Rest->GetNumberOfPoints());
-  std::vector<char> moves(count, 0);
+  std::vector<char> moves(count, 0), turns(count, 0);
   for (const vtkIdType point : this->Followed->points)
   {
     moves[static_cast<std::size_t>(point)] = 1;
   }
   std::vector<int> place(count, -1);
   const auto iterator = vtkSmartPointer<vtkCellArrayIterator>::Take(this->Rest->GetPolys()->NewIterator());
-  const auto eachFace = [&](const auto& visit)
+  // Those that have a point that is marked.
+  const auto eachFace = [&](const std::vector<char>& marked, const auto& visit)
   {
     for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
     {
       vtkIdType size = 0;
       const vtkIdType* ids = nullptr;
       iterator->GetCurrentCell(size, ids);
-      visit(std::array<vtkIdType, 3>{ ids[0], ids[1], ids[2] });
+      if (std::any_of(ids, ids + 3, [&](vtkIdType id) { return marked[static_cast<std::size_t>(id)] != 0; }))
+      {
+        visit(ids);
+      }
     }
   };
-  const auto any = [](const std::array<vtkIdType, 3>& ids, const auto& has)
-  { return has(ids[0]) || has(ids[1]) || has(ids[2]); };
-  eachFace(
-    [&](const std::array<vtkIdType, 3>& ids)
+  eachFace(moves,
+    [&](const vtkIdType* ids)
+    { std::for_each(ids, ids + 3, [&](vtkIdType id) { turns[static_cast<std::size_t>(id)] = 1; }); });
+  eachFace(turns,
+    [&](const vtkIdType* ids)
     {
-      if (any(ids, [&](vtkIdType id) { return moves[static_cast<std::size_t>(id)] != 0; }))
+      oversketch::Triangle triangle;
+      for (std::size_t k = 0; k < 3; ++k)
       {
-        for (const vtkIdType id : ids)
+        int& at = place[static_cast<std::size_t>(ids[k])];
+        if (at < 0)
         {
-          int& at = place[static_cast<std::size_t>(id)];
-          if (at < 0)
-          {
-            at = static_cast<int>(this->Turned.size());
-            this->Turned.push_back(id);
-          }
+          at = static_cast<int>(this->Points.size());
+          this->Points.push_back(ids[k]);
         }
+        triangle[k] = at;
       }
+      this->Patch.triangles.push_back(triangle);
     });
-  eachFace(
-    [&](const std::array<vtkIdType, 3>& ids)
-    {
-      if (any(ids, [&](vtkIdType id) { return place[static_cast<std::size_t>(id)] >= 0; }))
-      {
-        Face face{ ids, {} };
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          face.turned[k] = place[static_cast<std::size_t>(ids[k])];
-        }
-        this->Faces.push_back(face);
-      }
-    });
+  this->Patch.points.resize(this->Points.size());
+  this->Around = oversketch::trianglesAround(this->Patch);
 }
 
-// Of the surface as it is shown, weighted by the angles of the triangles at the point.
-std::vector<Preview::Vector> Preview::normals() const
+// Those of its outer points do not change.
+std::vector<oversketch::Vector3> Preview::normals()
 {
-  std::vector<Vector> sums(this->Turned.size(), Vector{});
-  for (const Face& face : this->Faces)
+  for (std::size_t i = 0; i < this->Points.size(); ++i)
   {
-    double at[3][3], side[3][3], normal[3];
-    for (int k = 0; k < 3; ++k)
-    {
-      this->Shown->GetPoint(face.points[static_cast<std::size_t>(k)], at[k]);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      vtkMath::Subtract(at[(k + 1) % 3], at[k], side[k]);
-      vtkMath::Normalize(side[k]);
-    }
-    vtkMath::Cross(side[0], side[1], normal);
-    if (vtkMath::Normalize(normal) == 0.0)
-    {
-      continue;
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const int point = face.turned[static_cast<std::size_t>(k)];
-      if (point >= 0)
-      {
-        const double angle =
-          std::acos(vtkMath::ClampValue(-vtkMath::Dot(side[k], side[(k + 2) % 3]), -1.0, 1.0));
-        Vector& sum = sums[static_cast<std::size_t>(point)];
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-          sum[c] += angle * normal[c];
-        }
-      }
-    }
+    this->Shown->GetPoint(this->Points[i], this->Patch.points[i].data());
   }
-  for (Vector& sum : sums)
-  {
-    vtkMath::Normalize(sum.data());
-  }
-  return sums;
+  return oversketch::vertexNormals(this->Patch, this->Around, oversketch::ThreadsOnly());
 }
 
 void Preview::moveTo(const double by[3])
@@ -146,22 +107,19 @@ void Preview::moveTo(const double by[3])
     this->Shown->GetPoints()->SetPoint(this->Followed->points[i], place);
   }
   this->Shown->GetPoints()->Modified();
-  if (!this->Turned.empty())
+  if (!this->Points.empty())
   {
     // The mesh's own normals, of its file perhaps, turned as those of the surface are.
-    const std::vector<Vector> now = this->normals();
+    const std::vector<oversketch::Vector3> now = this->normals();
     vtkDataArray* before = this->Rest->GetPointData()->GetNormals();
     vtkDataArray* shown = this->Shown->GetPointData()->GetNormals();
-    for (std::size_t i = 0; i < this->Turned.size(); ++i)
+    for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
-      double normal[3];
-      before->GetTuple(this->Turned[i], normal);
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        normal[c] += now[i][c] - this->Before[i][c];
-      }
-      vtkMath::Normalize(normal);
-      shown->SetTuple(this->Turned[i], normal);
+      oversketch::Vector3 normal;
+      before->GetTuple(this->Points[i], normal.data());
+      normal += now[i] - this->Before[i];
+      vtkMath::Normalize(normal.data());
+      shown->SetTuple(this->Points[i], normal.data());
     }
     shown->Modified();
   }

@@ -4,9 +4,10 @@
 
 #include "evaluator.h"
 
+#include "Mesh/mesh.h"
+
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -22,7 +23,6 @@ public:
 
   // Of a mesh with as many points as `following` says, which stays as it is.
   Preview(vtkPolyData* rest, const Following& following);
-  ~Preview();
 
   // The mesh with the stroke moved by a vector [world].
   void moveTo(const double by[3]);
@@ -30,20 +30,16 @@ public:
   vtkPolyData* rest() const { return this->Rest; }
 
 private:
-  using Vector = std::array<double, 3>;
-  struct Face
-  {
-    std::array<vtkIdType, 3> points;
-    std::array<int, 3> turned; // places in Turned, or -1
-  };
-  void findTurned();
-  std::vector<Vector> normals() const;
+  void findPatch();
+  std::vector<oversketch::Vector3> normals();
 
   vtkSmartPointer<vtkPolyData> Rest, Shown;
   Following Followed;
-  std::vector<vtkIdType> Turned; // points whose normals change
-  std::vector<Face> Faces;       // round them
-  std::vector<Vector> Before;    // normals of the surface at rest
+  // All triangles round points whose normals change, as they are shown, its points, and its normals at rest.
+  oversketch::Mesh Patch;
+  oversketch::Lists Around;
+  std::vector<vtkIdType> Points;
+  std::vector<oversketch::Vector3> Before;
 };
 
 } // namespace oversketch_studio

@@ -160,11 +160,6 @@ ProfileCurve::ProfileCurve(ProfileEditor* editor)
   this->setMouseTracking(true); // the cursor says what can be dragged
 }
 
-const QVector<QPointF>& ProfileCurve::points() const
-{
-  return this->Editor->Points;
-}
-
 void ProfileCurve::forget()
 {
   this->Chosen = -1;
@@ -177,11 +172,6 @@ QPointF ProfileCurve::seen(const QPointF& point) const
   const double half = 0.5 * this->width() - profileMargin, tall = this->height() - 2.0 * profileMargin;
   return { 0.5 * this->width() + half * point.x(),
     profileMargin + tall * (highest - point.y()) / (highest - lowest) };
-}
-
-QPoint ProfileCurve::placeOf(int point) const
-{
-  return this->seen(this->points()[point]).toPoint();
 }
 
 QPointF ProfileCurve::pointAt(const QPoint& place) const

@@ -58,7 +58,7 @@ public:
   QSize sizeHint() const override { return { 240, 150 }; }
   QSize minimumSizeHint() const override { return { 160, 80 }; }
   // Where a point is in the widget [px], for the hand.
-  QPoint placeOf(int point) const;
+  QPoint placeOf(int point) const { return this->seen(this->points()[point]).toPoint(); }
   void forget(); // which point is chosen
 
 protected:
@@ -73,7 +73,7 @@ private:
   QPointF pointAt(const QPoint& place) const;
   int nearest(const QPoint& place) const; // -1 where none is near
   bool isMovable(int point) const { return point >= 0 && point + 1 < this->points().size(); }
-  const QVector<QPointF>& points() const;
+  const QVector<QPointF>& points() const { return this->Editor->Points; }
   void moveTo(int point, QPointF to, bool goesOn);
   int insert(const QPointF& point); // -1 where there is no room
   void remove(int point);

@@ -26,21 +26,6 @@ ProfileTool::~ProfileTool()
   this->hand().widget()->GetProfilePlaneWidget()->SetProfileRenderer(nullptr);
 }
 
-QString ProfileTool::title() const
-{
-  return tr("&Profile");
-}
-
-QKeySequence ProfileTool::key() const
-{
-  return tr("A");
-}
-
-QString ProfileTool::help() const
-{
-  return tr("Draw a line on the model and a ring round it, and redraw its cross-section (A)");
-}
-
 // A section, drawn higher.
 QPainterPath ProfileTool::icon() const
 {

@@ -19,9 +19,12 @@ public:
   ProfileTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport);
   ~ProfileTool() override;
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("&Profile"); }
+  QKeySequence key() const override { return tr("A"); }
+  QString help() const override
+  {
+    return tr("Draw a line on the model and a ring round it, and redraw its cross-section (A)");
+  }
   QPainterPath icon() const override;
   QWidget* makePanel(QWidget* parent) override;
   void setDark(bool dark) override;

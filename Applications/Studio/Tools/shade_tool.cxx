@@ -60,22 +60,6 @@ ShadeTool::~ShadeTool()
   this->hand().widget()->SetDiscRenderer(nullptr);
 }
 
-QString ShadeTool::title() const
-{
-  return tr("Sh&ade");
-}
-
-QKeySequence ShadeTool::key() const
-{
-  return tr("S");
-}
-
-QString ShadeTool::help() const
-{
-  return tr(
-    "Draw a line on the model and a ring round it, and say by grey layers how far the model follows (S)");
-}
-
 // Layers round a line.
 QPainterPath ShadeTool::icon() const
 {

@@ -23,9 +23,13 @@ public:
   ShadeTool(const std::shared_ptr<EditHand>& hand, Viewport* viewport);
   ~ShadeTool() override;
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("Sh&ade"); }
+  QKeySequence key() const override { return tr("S"); }
+  QString help() const override
+  {
+    return tr(
+      "Draw a line on the model and a ring round it, and say by grey layers how far the model follows (S)");
+  }
   QPainterPath icon() const override;
   QWidget* makePanel(QWidget* parent) override;
   void setDark(bool dark) override;

@@ -13,21 +13,6 @@ TurnTool::TurnTool(Viewport* viewport)
 {
 }
 
-QString TurnTool::title() const
-{
-  return tr("Ro&tate");
-}
-
-QKeySequence TurnTool::key() const
-{
-  return tr("T");
-}
-
-QString TurnTool::help() const
-{
-  return tr("The left button rotates the model (T)");
-}
-
 // An arrow round an upright axis.
 QPainterPath TurnTool::icon() const
 {
@@ -40,16 +25,6 @@ QPainterPath TurnTool::icon() const
   path.lineTo(21, 12.5);
   path.lineTo(16.5, 11.5);
   return path;
-}
-
-QVector<QPair<QString, QString>> TurnTool::keys() const
-{
-  return { { tr("Left drag"), tr("rotate the model") }, { tr("Shift + left drag"), tr("pan") } };
-}
-
-QString TurnTool::advice(const Situation&) const
-{
-  return tr("Drag anywhere to rotate the model. D draws.");
 }
 
 void TurnTool::start()

@@ -16,12 +16,18 @@ class TurnTool : public Tool
 public:
   explicit TurnTool(Viewport* viewport);
 
-  QString title() const override;
-  QKeySequence key() const override;
-  QString help() const override;
+  QString title() const override { return tr("Ro&tate"); }
+  QKeySequence key() const override { return tr("T"); }
+  QString help() const override { return tr("The left button rotates the model (T)"); }
   QPainterPath icon() const override;
-  QVector<QPair<QString, QString>> keys() const override;
-  QString advice(const Situation& situation) const override;
+  QVector<QPair<QString, QString>> keys() const override
+  {
+    return { { tr("Left drag"), tr("rotate the model") }, { tr("Shift + left drag"), tr("pan") } };
+  }
+  QString advice(const Situation&) const override
+  {
+    return tr("Drag anywhere to rotate the model. D draws.");
+  }
   void start() override;
   void stop() override {}
 

@@ -4,8 +4,8 @@
 
 #include "vtkOversketchInteractorStyle.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkMatrix4x4.h"
 #include "vtkRenderer.h"
 
@@ -45,10 +45,7 @@ AxisGizmo::AxisGizmo(Viewport* view)
   this->setFocusPolicy(Qt::NoFocus); // the same by the View menu
   this->setCursor(Qt::ArrowCursor);
   this->setAccessibleName(tr("Axes"));
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<AxisGizmo*>(self)->look(); });
-  this->Renderer->AddObserver(vtkCommand::EndEvent, this->Observer);
+  this->Observer = this->Renderer->AddObserver(vtkCommand::EndEvent, this, &AxisGizmo::look);
   this->look();
 }
 

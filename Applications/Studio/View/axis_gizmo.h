@@ -4,7 +4,6 @@
 #ifndef oversketch_applications_studio_view_axis_gizmo_h
 #define oversketch_applications_studio_view_axis_gizmo_h
 
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <QPointF>
@@ -13,7 +12,6 @@
 #include <array>
 #include <optional>
 
-class vtkCallbackCommand;
 class vtkRenderer;
 
 namespace oversketch_studio
@@ -58,7 +56,7 @@ private:
 
   Viewport* View;
   vtkSmartPointer<vtkRenderer> Renderer; // it outlives the view that it is in
-  vtkNew<vtkCallbackCommand> Observer;
+  unsigned long Observer = 0;
   std::array<std::array<double, 3>, 3> Axes{}; // to the right, up, towards the eye
   std::optional<End> Hovered;
   QPoint Pressed, Last;

@@ -5,6 +5,8 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -20,14 +22,46 @@ namespace
 {
 
 constexpr int square[2] = { 1, 1 };
+constexpr double across = 10.0; // lines for the model's width, about
+
+// 1, 2 or 5 times a power of ten.
+double roundNumber(double about)
+{
+  const double ten = std::pow(10.0, std::floor(std::log10(about)));
+  const double of = about / ten;
+  return ten * (of < 1.5 ? 1.0 : of < 3.5 ? 2.0 : of < 7.5 ? 5.0 : 10.0);
+}
+
+// Across the axis that is up: from places on x and the other axis.
+void addLine(vtkPolyData* to, int up, double x0, double other0, double x1, double other1, double height)
+{
+  const auto add = [&](double x, double other)
+  {
+    return up == 1 ? to->GetPoints()->InsertNextPoint(x, height, other)
+                   : to->GetPoints()->InsertNextPoint(x, other, height);
+  };
+  const vtkIdType from = add(x0, other0);
+  to->GetLines()->InsertNextCell({ from, add(x1, other1) });
+}
 
 } // namespace
 
 Display::Display(vtkRenderer* renderer, ModelView& model)
   : Renderer(renderer)
   , Model(model)
-  , Grid(renderer)
 {
+  const auto addLines = [&](vtkPolyData* lines, vtkActor* actor)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(lines);
+    actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
+    actor->PickableOff();
+    renderer->AddActor(actor);
+  };
+  addLines(this->Lines, this->LineActor);
+  addLines(this->Middle, this->MiddleActor);
+  this->showGround(false);
   for (const int i : { 0, 1 })
   {
     vtkPolyDataMapper* mapper = this->OnionMappers[i];
@@ -61,7 +95,7 @@ void Display::lookAtAll(const double box[6], const int size[2], int up)
   double whole[6];
   all.GetBounds(whole);
   this->stepBack(whole, size);
-  this->Grid.place(whole, up);
+  this->placeGround(whole, up);
 }
 
 void Display::fitAll(const int size[2])
@@ -112,22 +146,56 @@ void Display::showWhole(const int size[2])
   this->Renderer->ResetCameraClippingRange();
 }
 
-void Display::setShading(Shading shading, bool pictures)
+void Display::setLook(const ModelLook& look)
 {
-  this->Look = shading;
-  this->Pictures = pictures;
-  this->Model.setShading(shading, pictures);
-  this->Others.setShading(shading, pictures);
+  this->Look = look;
+  this->Model.setLook(look);
+  this->Others.setLook(look);
   if (this->Other)
   {
-    this->Other->setShading(shading, pictures);
+    this->Other->setLook(look);
   }
 }
 
 void Display::setGround(bool shown)
 {
   this->Ground = shown;
-  this->Grid.setVisible(shown);
+  this->showGround(shown);
+}
+
+void Display::showGround(bool shown)
+{
+  this->LineActor->SetVisibility(shown);
+  this->MiddleActor->SetVisibility(shown);
+}
+
+void Display::placeGround(const double box[6], int up)
+{
+  const int beside = 3 - up;
+  const double width = std::max(box[1] - box[0], box[2 * beside + 1] - box[2 * beside]);
+  for (vtkPolyData* lines : { this->Lines.Get(), this->Middle.Get() })
+  {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> cells;
+    lines->SetPoints(points);
+    lines->SetLines(cells);
+  }
+  if (!(width > 0.0) || !std::isfinite(width))
+  {
+    return;
+  }
+  const double step = roundNumber(width / across), height = box[2 * up];
+  const auto first = [&](int axis) { return std::floor((box[2 * axis] - 0.5 * width) / step); };
+  const auto last = [&](int axis) { return std::ceil((box[2 * axis + 1] + 0.5 * width) / step); };
+  const double x0 = first(0), x1 = last(0), z0 = first(beside), z1 = last(beside);
+  for (double i = x0; i <= x1; ++i)
+  {
+    addLine(i == 0.0 ? this->Middle : this->Lines, up, i * step, z0 * step, i * step, z1 * step, height);
+  }
+  for (double i = z0; i <= z1; ++i)
+  {
+    addLine(i == 0.0 ? this->Middle : this->Lines, up, x0 * step, i * step, x1 * step, i * step, height);
+  }
 }
 
 void Display::showOnion(vtkPolyData* mesh)
@@ -139,19 +207,13 @@ void Display::showOnion(vtkPolyData* mesh)
   }
 }
 
-bool Display::onion() const
-{
-  return this->Onions[0]->GetVisibility();
-}
-
 void Display::showInstead(vtkPolyData* mesh)
 {
   this->Other.reset();
   if (mesh)
   {
     this->Other = std::make_unique<ModelView>(this->Renderer);
-    this->Other->setPlain(this->Plain[0], this->Plain[1], this->Plain[2]);
-    this->Other->setShading(this->Look, this->Pictures);
+    this->Other->setLook(this->Look);
     this->Other->show(mesh);
   }
   this->Model.setVisible(!mesh);
@@ -159,7 +221,9 @@ void Display::showInstead(vtkPolyData* mesh)
 
 void Display::setDark(bool dark)
 {
-  this->Grid.setDark(dark);
+  const double line = dark ? 0.30 : 0.70, middle = dark ? 0.45 : 0.52;
+  this->LineActor->GetProperty()->SetColor(line, line, line);
+  this->MiddleActor->GetProperty()->SetColor(middle, middle, middle);
   for (const int i : { 0, 1 })
   {
     dark ? this->Onions[i]->GetProperty()->SetColor(0.45, 0.70, 1.0)
@@ -167,20 +231,9 @@ void Display::setDark(bool dark)
   }
 }
 
-void Display::setPlain(double red, double green, double blue)
-{
-  this->Plain = { red, green, blue };
-  this->Model.setPlain(red, green, blue);
-  this->Others.setPlain(red, green, blue);
-  if (this->Other)
-  {
-    this->Other->setPlain(red, green, blue);
-  }
-}
-
 void Display::setOverlays(bool shown)
 {
-  this->Grid.setVisible(shown && this->Ground);
+  this->showGround(shown && this->Ground);
   for (const int i : { 0, 1 })
   {
     this->Onions[i]->SetVisibility(shown && this->OnionMappers[i]->GetInput());

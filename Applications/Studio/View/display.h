@@ -1,8 +1,7 @@
-// How the model is looked at: its shading, the ground, what it was over it or instead of it.
+// How the model is looked at: its shading, the ground under it, what it was over it or instead of it.
 #ifndef oversketch_applications_studio_view_display_h
 #define oversketch_applications_studio_view_display_h
 
-#include "ground_grid.h"
 #include "model_view.h"
 #include "resting_views.h"
 
@@ -37,12 +36,11 @@ public:
   void showWhole(const int size[2]);
 
   // Pictures and colours that models wear are seen, or not.
-  void setShading(Shading shading, bool pictures);
+  void setShading(Shading shading, bool pictures) { this->setLook({ shading, pictures, this->Look.plain }); }
   void setGround(bool shown);
   bool ground() const { return this->Ground; }
   // Another mesh, translucent over the model; null: none.
   void showOnion(vtkPolyData* mesh);
-  bool onion() const;
   // Another mesh instead of the model; null: the model again.
   void showInstead(vtkPolyData* mesh);
   bool instead() const { return this->Other != nullptr; }
@@ -51,23 +49,29 @@ public:
   RestingViews& others() { return this->Others; }
 
   void setDark(bool dark);
-  void setPlain(double red, double green, double blue);
+  void setPlain(const std::array<double, 3>& colour)
+  {
+    this->setLook({ this->Look.shading, this->Look.pictures, colour });
+  }
   // The ground and the onion, for a picture without them.
   void setOverlays(bool shown);
 
 private:
   void stepBack(const double box[6], const int size[2]);
+  void placeGround(const double box[6], int up); // under the box, and wider than it
+  void showGround(bool shown);
+  void setLook(const ModelLook& look);
 
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   RestingViews Others{ this->Renderer };
-  GroundGrid Grid;
+  vtkNew<vtkPolyData> Lines, Middle; // on the ground, a round number apart; the middle ones: along x and z
+  vtkNew<vtkActor> LineActor, MiddleActor;
   vtkNew<vtkPolyDataMapper> OnionMappers[2];
   vtkNew<vtkActor> Onions[2];       // what sticks out of the model; faintly, all of it
   std::unique_ptr<ModelView> Other; // while it is shown
-  Shading Look = Shading::Smooth;
-  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
-  bool Ground = false, Pictures = true;
+  ModelLook Look;
+  bool Ground = false;
 };
 
 } // namespace oversketch_studio

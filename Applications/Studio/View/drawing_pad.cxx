@@ -1,6 +1,7 @@
 #include "drawing_pad.h"
 
 #include "latency.h"
+#include "system_strings.h"
 #include "touch_hand.h"
 
 #include "camera_state.h"
@@ -10,10 +11,8 @@
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
-#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkProperty2D.h"
 #include "vtkRenderWindow.h"
@@ -22,7 +21,6 @@
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QRegularExpression>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -40,22 +38,16 @@ constexpr int leastSide = 120, letterWidth = 8;
 } // namespace
 
 DrawingPad::DrawingPad(QWidget* parent)
-  : FlatView(parent)
+  : FrameView(parent)
 {
   this->setObjectName("drawing_pad");
   this->Widget->SetInteractor(this->interactor());
   this->Widget->SetDefaultRenderer(this->renderer());
   this->Widget->SetEnabled(1);
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void*) { static_cast<DrawingPad*>(self)->heard(event); });
-  for (const unsigned long event : { vtkCommand::StartInteractionEvent,
-         vtkCommand::InteractionEvent,
-         vtkCommand::EndInteractionEvent,
-         vtkCommand::WidgetValueChangedEvent })
-  {
-    this->Widget->AddObserver(event, this->Observer);
-  }
+  this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &DrawingPad::began);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, &Latency::of(), &Latency::sample);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &DrawingPad::lineEnds);
+  this->Widget->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &DrawingPad::changed);
   this->setMinimumSize(leastSide, leastSide);
   this->setFocusPolicy(Qt::StrongFocus);
   this->setAccessibleName(tr("Picture"));
@@ -70,7 +62,7 @@ DrawingPad::DrawingPad(QWidget* parent)
 
 DrawingPad::~DrawingPad()
 {
-  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->RemoveAllObservers();
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
 }
@@ -99,25 +91,10 @@ void DrawingPad::zoom(double factor, const QPointF& about)
   }
 }
 
-void DrawingPad::heard(unsigned long event)
+void DrawingPad::lineEnds()
 {
-  if (event == vtkCommand::StartInteractionEvent)
-  {
-    emit this->began();
-  }
-  else if (event == vtkCommand::InteractionEvent)
-  {
-    Latency::of().sample();
-  }
-  else if (event == vtkCommand::EndInteractionEvent)
-  {
-    this->fit(); // to a size that came during the line
-    emit this->ended();
-  }
-  else
-  {
-    emit this->changed();
-  }
+  this->fit(); // to a size that came during the line
+  emit this->ended();
 }
 
 void DrawingPad::setPicture(vtkImageData* picture)
@@ -132,38 +109,11 @@ void DrawingPad::setCanvas(double x, double y, double width, double height)
   this->Fits = true;
 }
 
-void DrawingPad::setDrawing(vtkPolyData* drawing)
-{
-  this->Widget->SetDrawing(drawing);
-}
-
-vtkPolyData* DrawingPad::drawing() const
-{
-  return this->Widget->GetDrawing();
-}
-
-vtkPolyData* DrawingPad::curves() const
-{
-  return this->Widget->GetCurves();
-}
-
-const oversketch::Message& DrawingPad::said() const
-{
-  return this->Widget->GetSaid();
-}
-
 void DrawingPad::showText(const QString& text)
 {
   // In lines that the widget has room for.
   const int room = std::max(20, this->width() / letterWidth);
-  QString lines;
-  int length = 0;
-  for (const QString& word : text.split(QRegularExpression("\\s+"), Qt::SkipEmptyParts))
-  {
-    const bool fits = length + word.size() < room;
-    lines += (lines.isEmpty() ? "" : fits ? " " : "\n") + word;
-    length = fits ? length + word.size() + 1 : word.size();
-  }
+  const QString lines = wrapped(text.simplified(), room - 1).join('\n');
   this->Widget->GetDrawingRepresentation()->SetText(lines.toUtf8().constData());
   this->renderWindow()->Render();
 }
@@ -171,16 +121,6 @@ void DrawingPad::showText(const QString& text)
 bool DrawingPad::isDrawing() const
 {
   return this->Widget->GetPen()->IsDrawing();
-}
-
-void DrawingPad::setMagnetic(bool magnetic)
-{
-  this->Widget->SetMagnetic(magnetic);
-}
-
-void DrawingPad::setArranged(bool arranged)
-{
-  this->Widget->SetArrange(arranged);
 }
 
 void DrawingPad::setSteadiness(double pixels)
@@ -191,12 +131,7 @@ void DrawingPad::setSteadiness(double pixels)
 
 void DrawingPad::setDark(bool dark)
 {
-  // The model's.
-  dark ? this->renderer()->SetBackground(0.13, 0.14, 0.16)
-       : this->renderer()->SetBackground(0.80, 0.82, 0.84);
-  dark ? this->renderer()->SetBackground2(0.22, 0.24, 0.27)
-       : this->renderer()->SetBackground2(0.95, 0.96, 0.97);
-  this->renderer()->GradientBackgroundOn();
+  this->setGround(dark); // the model's
   this->renderWindow()->Render();
 }
 
@@ -207,13 +142,13 @@ bool DrawingPad::event(QEvent* event)
   {
     this->Fits = false;
   }
-  return FlatView::event(event);
+  return FrameView::event(event);
 }
 
 // VTK counts the screen's own pixels.
 void DrawingPad::resizeGL(int width, int height)
 {
-  FlatView::resizeGL(width, height);
+  FrameView::resizeGL(width, height);
   const double ratio = this->devicePixelRatioF();
   this->Widget->GetDrawingRepresentation()->GetCurveProperty()->SetLineWidth(
     static_cast<float>(strokeLineWidth * ratio));

@@ -2,23 +2,19 @@
 #ifndef oversketch_applications_studio_view_drawing_pad_h
 #define oversketch_applications_studio_view_drawing_pad_h
 
-#include "flat_view.h"
-
-#include "Mesh/message.h"
+#include "frame_view.h"
 
 #include "vtkNew.h"
 
 #include <array>
 
-class vtkCallbackCommand;
 class vtkImageData;
 class vtkOversketchDrawingWidget;
-class vtkPolyData;
 
 namespace oversketch_studio
 {
 
-class DrawingPad : public FlatView
+class DrawingPad : public FrameView
 {
   Q_OBJECT
 
@@ -29,21 +25,12 @@ public:
   // What is drawn on; all of it is seen.
   void setPicture(vtkImageData* picture);
   void setCanvas(double x, double y, double width, double height);
-  // The strokes of the drawing, as vtkOversketchDrawingWidget holds them.
-  void setDrawing(vtkPolyData* drawing);
-  vtkPolyData* drawing() const;
-  // The strokes on the canvas, with what each is: cell array Role.
-  vtkPolyData* curves() const;
-  // A message about the drawing; empty where there is nothing to say.
-  const oversketch::Message& said() const;
-  // The same in the words of whoever shows it.
+  // Holds the strokes of the drawing, what each is and what there is to be said of them.
+  vtkOversketchDrawingWidget* widget() const { return this->Widget; }
+  // What it says, in the words of whoever shows it.
   void showText(const QString& text);
   bool isDrawing() const;
 
-  // New strokes move to the picture's edges.
-  void setMagnetic(bool magnetic);
-  // Strokes may cross, span and bound together, as the drawing's step has it.
-  void setArranged(bool arranged);
   // How far the line trails behind the pen [px as Qt counts them]; the pen's pressure.
   void setSteadiness(double pixels);
   void setDark(bool dark);
@@ -60,12 +47,11 @@ protected:
   void resizeGL(int width, int height) override;
 
 private:
-  void heard(unsigned long event);
+  void lineEnds();
   void fit(); // to the size that it has now
   void zoom(double factor, const QPointF& about);
 
   vtkNew<vtkOversketchDrawingWidget> Widget;
-  vtkNew<vtkCallbackCommand> Observer;
   double Steadiness = 6.0;
   double Zoomed = 1.0;               // by fingers, less than a notch of the wheel
   bool Fits = true;                  // all of the canvas is seen, until the hand zooms or pans

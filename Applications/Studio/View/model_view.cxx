@@ -1,12 +1,15 @@
 #include "model_view.h"
 
 #include "back_faces.h"
+#include "mesh_file.h"
 #include "models.h"
+#include "picture_files.h"
 #include "pieces.h"
 #include "sharp_edges.h"
-#include "skin.h"
 
 #include "vtkActor.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -14,27 +17,149 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+#include "vtkTexture.h"
+
+#include <QObject>
 
 #include <algorithm>
+#include <functional>
+#include <string>
 #include <utility>
 
 namespace oversketch_studio
 {
 
+namespace
+{
+
+// What faces the eye is nearly as light as the picture itself; what faces the key light is not brighter than
+// white, so that the form is seen on white paper, too.
+constexpr double pictureAmbient = 0.22, pictureDiffuse = 0.78, pictureShine = 0.03, shine = 0.15;
+constexpr const char* place = "//VTK::Light::Impl";
+
+// The colour by the way the surface faces, seen from the eye: of a ball of clay under a warm light from above
+// and the left, a cool one from below and the right, and a bright rim. Lights of the scene, colours and
+// pictures do not count. Reflected, so that a perspective shows flat faces alike wherever they are.
+constexpr const char* clay = R"(//VTK::Light::Impl
+  {
+    vec3 seen = cameraParallel == 1 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
+    vec3 away = reflect(seen, normalVCVSOutput);
+    float m = 2.0 * sqrt(away.x * away.x + away.y * away.y + (away.z + 1.0) * (away.z + 1.0));
+    vec2 on = 2.0 * away.xy / max(m, 1e-6); // the ball's picture [-1 to 1]
+    float high = sqrt(max(0.0, 1.0 - dot(on, on)));
+    vec3 ball = vec3(on, high);
+    float warm = max(0.0, dot(ball, normalize(vec3(-0.45, 0.65, 0.61))));
+    float cool = max(0.0, dot(ball, normalize(vec3(0.70, -0.55, 0.45))));
+    float shine = pow(max(0.0, dot(ball, normalize(vec3(-0.28, 0.42, 0.86)))), 28.0);
+    float rim = pow(1.0 - high, 3.0);
+    vec3 colour = vec3(0.16, 0.09, 0.08) + warm * vec3(0.66, 0.40, 0.31) + cool * vec3(0.10, 0.13, 0.18);
+    gl_FragData[0].rgb = colour + 0.30 * shine + rim * vec3(0.22, 0.20, 0.22);
+  }
+)";
+
+// Draws an actor's surface so.
+void shade(vtkActor* actor, Shading shading)
+{
+  vtkProperty* look = actor->GetProperty();
+  shading == Shading::Flat ? look->SetInterpolationToFlat() : look->SetInterpolationToGouraud();
+  look->SetEdgeVisibility(shading == Shading::Wire);
+  look->SetEdgeColor(0.33, 0.34, 0.36);
+  vtkShaderProperty* shaders = actor->GetShaderProperty();
+  shaders->ClearFragmentShaderReplacement(place, false);
+  if (shading == Shading::Matcap)
+  {
+    shaders->AddFragmentShaderReplacement(place, false, clay, false);
+  }
+}
+
+} // namespace
+
+// What is drawn by itself, in what it wears: a picture, else its own colours, else none.
 struct ModelView::Part
 {
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
-  Skin skin;
   oversketch_files::SharpEdges edges;
   BackFaces backs;
+  vtkNew<vtkTexture> texture;
+  SharedPicture picture;          // of the texture; null: none
+  PictureBytes wanted;            // of the picture that is to come, or has come
+  std::unique_ptr<QObject> waits; // for it
+  bool isColoured = false;
+  ModelLook look;
 
   Part()
   {
     this->actor->SetMapper(this->mapper);
     this->actor->GetProperty()->SetSpecularPower(20.0);
     this->actor->ForceOpaqueOn();
-    makeOpaque(this->actor);
+    // Nothing is seen through it, whatever the alpha of its points' colours is. Without a picture this place
+    // is free; a picture has no alpha here (opaquePicture).
+    this->actor->GetShaderProperty()->AddFragmentShaderReplacement(
+      "//VTK::TCoord::Impl", false, "//VTK::TCoord::Impl\n  gl_FragData[0].a = 1.0;\n", false);
+    this->texture->SetColorModeToDirectScalars();
+    this->texture->InterpolateOn();
+    this->texture->MipmapOn();
+    this->texture->RepeatOn();
+  }
+
+  // With the bytes of the mesh's picture, if any. One that nobody has decoded yet comes later; then it calls
+  // `comes`.
+  void dress(vtkPolyData* mesh, const std::string& bytes, const std::function<void()>& comes)
+  {
+    if (bytes != (this->wanted ? *this->wanted : std::string()))
+    {
+      this->waits.reset();
+      this->wanted = bytes.empty() ? nullptr : std::make_shared<const std::string>(bytes);
+      this->wear(this->wanted ? findDecoded(bytes) : nullptr);
+      if (this->wanted && !this->picture)
+      {
+        this->waits = std::make_unique<QObject>();
+        whenDecoded(this->waits.get(),
+          this->wanted,
+          [this, comes](const SharedPicture& made)
+          {
+            this->wear(made);
+            this->put();
+            comes();
+          });
+      }
+    }
+    vtkDataArray* colours = oversketch_files::coloursOf(mesh);
+    this->isColoured = colours && colours->GetName() && !this->wanted;
+    if (this->isColoured)
+    {
+      this->mapper->SetColorModeToDirectScalars();
+      this->mapper->SetScalarModeToUsePointFieldData();
+      this->mapper->SelectColorArray(colours->GetName());
+    }
+    this->put();
+  }
+  void setLook(const ModelLook& now)
+  {
+    this->look = now;
+    shade(this->actor, now.shading);
+    this->put();
+  }
+  void wear(const SharedPicture& made)
+  {
+    this->picture = made;
+    this->texture->SetInputData(made ? made->worn() : nullptr);
+  }
+  // Clay shows the form alone.
+  void put()
+  {
+    const bool isWorn = this->look.pictures && this->look.shading != Shading::Matcap;
+    const bool isPicture = isWorn && this->picture && this->picture->pixels;
+    vtkProperty* surface = this->actor->GetProperty();
+    this->actor->SetTexture(isPicture ? this->texture.Get() : nullptr);
+    this->mapper->SetScalarVisibility(isWorn && this->isColoured);
+    isPicture ? surface->SetColor(1.0, 1.0, 1.0)
+              : surface->SetColor(this->look.plain.data()); // the picture's own
+    surface->SetAmbient(isPicture ? pictureAmbient : 0.0);
+    surface->SetDiffuse(isPicture ? pictureDiffuse : 1.0);
+    surface->SetSpecular(isPicture ? pictureShine : shine);
   }
 };
 
@@ -60,8 +185,7 @@ void ModelView::resize(std::size_t count)
   {
     this->Parts.push_back(std::make_unique<Part>());
     Part& part = *this->Parts.back();
-    part.skin.setPlain(part.actor, this->Plain[0], this->Plain[1], this->Plain[2]);
-    this->shadePart(part);
+    part.setLook(this->Look);
     part.actor->SetVisibility(this->Visible);
     this->Renderer->AddActor(part.actor);
   }
@@ -82,9 +206,7 @@ void ModelView::show(vtkPolyData* mesh)
     Part& part = *this->Parts[i];
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
     part.actor->SetVisibility(this->Visible);
-    part.skin.dress(part.actor,
-      part.mapper,
-      pieces[i].mesh,
+    part.dress(pieces[i].mesh,
       pieces[i].picture,
       [this] { this->Renderer->GetRenderWindow()->GetInteractor()->Render(); });
   }
@@ -146,21 +268,13 @@ bool ModelView::owns(const vtkActor* actor) const
     this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
 }
 
-void ModelView::setShading(Shading shading, bool pictures)
+void ModelView::setLook(const ModelLook& look)
 {
-  this->Look = shading;
-  this->Pictures = pictures;
+  this->Look = look;
   for (const auto& part : this->Parts)
   {
-    this->shadePart(*part);
+    part->setLook(look);
   }
-}
-
-// Clay shows the form alone.
-void ModelView::shadePart(Part& part) const
-{
-  shade(part.actor, this->Look);
-  part.skin.setWorn(part.actor, this->Pictures && this->Look != Shading::Matcap);
 }
 
 void ModelView::setVisible(bool visible)
@@ -178,15 +292,6 @@ void ModelView::hideBacks(bool hide)
   {
     vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
     part->actor->GetProperty()->SetBackfaceCulling(mesh && part->backs.areHidden(mesh, this->Renderer));
-  }
-}
-
-void ModelView::setPlain(double red, double green, double blue)
-{
-  this->Plain = { red, green, blue };
-  for (const auto& part : this->Parts)
-  {
-    part->skin.setPlain(part->actor, red, green, blue);
   }
 }
 

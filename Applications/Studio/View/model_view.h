@@ -2,8 +2,6 @@
 #ifndef oversketch_applications_studio_view_model_view_h
 #define oversketch_applications_studio_view_model_view_h
 
-#include "shading.h"
-
 #include "vtkSmartPointer.h"
 
 #include <array>
@@ -17,6 +15,24 @@ class vtkRenderer;
 
 namespace oversketch_studio
 {
+
+// How a surface is drawn.
+enum class Shading
+{
+  Smooth,
+  Flat,  // each face by itself
+  Wire,  // smooth, and its edges
+  Matcap // as a ball of clay is lit, without what the model wears; shows dents and creases
+};
+constexpr int shadings = 4;
+
+// How a model is seen.
+struct ModelLook
+{
+  Shading shading = Shading::Smooth;
+  bool pictures = true;                         // and colours that it wears are seen
+  std::array<double, 3> plain{ 1.0, 1.0, 1.0 }; // the colour of what wears nothing
+};
 
 class ModelView
 {
@@ -34,21 +50,16 @@ public:
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
   bool owns(const vtkActor* actor) const;
 
-  // Whether what it wears is seen.
-  void setShading(Shading shading, bool pictures);
+  void setLook(const ModelLook& look);
   void setVisible(bool visible);
   // Draws no faces that others hide, where that can be told, or all.
   void hideBacks(bool hide);
   // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
   void hide(const std::set<int>& parts);
 
-  // The colour of what wears nothing.
-  void setPlain(double red, double green, double blue);
-
 private:
   struct Part;
   void resize(std::size_t count);
-  void shadePart(Part& part) const;
 
   vtkSmartPointer<vtkPolyData> seen(vtkPolyData* mesh) const;
 
@@ -57,9 +68,8 @@ private:
   std::vector<std::unique_ptr<Part>> Parts;
   vtkSmartPointer<vtkPolyData> Shown;
   vtkSmartPointer<vtkPolyData> Dressed; // that one, until it is moved
-  Shading Look = Shading::Smooth;
-  bool Visible = true, Pictures = true;
-  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+  ModelLook Look;
+  bool Visible = true;
 };
 
 } // namespace oversketch_studio

@@ -19,13 +19,6 @@ constexpr double dim = 0.72; // of the colour of the model that is worked on
 
 } // namespace
 
-RestingViews::RestingViews(vtkRenderer* renderer)
-  : Renderer(renderer)
-{
-}
-
-RestingViews::~RestingViews() = default;
-
 void RestingViews::show(const Session& scene)
 {
   std::map<int, std::unique_ptr<ModelView>> before = std::exchange(this->Views, {});
@@ -42,8 +35,7 @@ void RestingViews::show(const Session& scene)
     if (!view)
     {
       view = std::make_unique<ModelView>(this->Renderer);
-      view->setPlain(dim * this->Plain[0], dim * this->Plain[1], dim * this->Plain[2]);
-      view->setShading(this->Look, this->Pictures);
+      view->setLook(this->Look);
     }
     view->hide(hiddenOf(other->own, other->made.parts));
     if (view->mesh() != mesh)
@@ -53,22 +45,16 @@ void RestingViews::show(const Session& scene)
   }
 }
 
-void RestingViews::setShading(Shading shading, bool pictures)
+void RestingViews::setLook(const ModelLook& look)
 {
-  this->Look = shading;
-  this->Pictures = pictures;
-  for (const auto& [id, view] : this->Views)
+  this->Look = look;
+  for (double& part : this->Look.plain)
   {
-    view->setShading(shading, pictures);
+    part *= dim;
   }
-}
-
-void RestingViews::setPlain(double red, double green, double blue)
-{
-  this->Plain = { red, green, blue };
   for (const auto& [id, view] : this->Views)
   {
-    view->setPlain(dim * red, dim * green, dim * blue);
+    view->setLook(this->Look);
   }
 }
 

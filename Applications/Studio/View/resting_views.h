@@ -8,7 +8,6 @@
 
 #include "vtkBoundingBox.h"
 
-#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,15 +20,15 @@ namespace oversketch_studio
 class RestingViews
 {
 public:
-  explicit RestingViews(vtkRenderer* renderer);
-  ~RestingViews();
-  RestingViews(const RestingViews&) = delete;
-  RestingViews& operator=(const RestingViews&) = delete;
+  explicit RestingViews(vtkRenderer* renderer)
+    : Renderer(renderer)
+  {
+  }
 
   // Those of a scene that are shown.
   void show(const oversketch_session::Session& scene);
-  void setShading(Shading shading, bool pictures);
-  void setPlain(double red, double green, double blue);
+  // As the model that is worked on.
+  void setLook(const ModelLook& look);
 
   // A box with theirs.
   vtkBoundingBox box(const double with[6]) const;
@@ -41,9 +40,7 @@ private:
   vtkRenderer* Renderer;                           // outlives it
   std::map<int, std::unique_ptr<ModelView>> Views; // by the models' ids
   oversketch::MeshPicker Picker;
-  Shading Look = Shading::Smooth;
-  bool Pictures = true;
-  std::array<double, 3> Plain{ 1.0, 1.0, 1.0 };
+  ModelLook Look; // theirs
 };
 
 } // namespace oversketch_studio

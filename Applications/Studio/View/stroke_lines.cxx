@@ -8,8 +8,8 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkIdList.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -58,10 +58,7 @@ StrokeLines::StrokeLines(Viewport* viewport)
     drawn->actor->VisibilityOff();
     viewport->renderer()->AddActor(drawn->actor);
   }
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<StrokeLines*>(self)->frameBegins(); });
-  viewport->renderer()->AddObserver(vtkCommand::StartEvent, this->Observer);
+  this->Observer = this->Renderer->AddObserver(vtkCommand::StartEvent, this, &StrokeLines::frameBegins);
   viewport->setMouseTracking(true);
   viewport->installEventFilter(this);
 }
@@ -97,11 +94,6 @@ void StrokeLines::showAll(bool all)
   this->All = all;
   this->Hovered = -1;
   this->show();
-}
-
-void StrokeLines::setVisible(bool visible)
-{
-  this->Visible = visible;
 }
 
 bool StrokeLines::isShown() const

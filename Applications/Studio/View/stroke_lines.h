@@ -16,7 +16,6 @@
 #include <vector>
 
 class vtkActor;
-class vtkCallbackCommand;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
@@ -41,7 +40,7 @@ public:
   // Whether all are shown, and can be clicked.
   void showAll(bool all);
   // None, for a picture without lines.
-  void setVisible(bool visible);
+  void setVisible(bool visible) { this->Visible = visible; }
   // The step whose line is seen there [px of the widget], else -1.
   int at(const QPoint& place) const;
 
@@ -74,7 +73,7 @@ private:
   vtkSmartPointer<vtkPolyData> Stroke;
   bool All = false, Visible = true;
   Drawn Others, Marked; // thin; the chosen or hovered one
-  vtkNew<vtkCallbackCommand> Observer;
+  unsigned long Observer = 0;
   QPoint Press;
   bool Pressed = false;
 };

@@ -1,20 +1,18 @@
 #include "viewport.h"
 
-#include "draws_on_processor.h"
-#include "key_list.h"
+#include "files.h"
 #include "latency.h"
-#include "overlays.h"
-#include "tool.h"
+#include "tools.h"
 #include "touch_hand.h"
 
 #include "vtkOversketchInteractorStyle.h"
 #include "vtkOversketchStrokeRepresentation.h"
 
 #include "vtkActor.h"
-#include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkLightKit.h"
+#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -22,6 +20,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
+#include "vtkWindowToImageFilter.h"
 
 #include <QCoreApplication>
 #include <QKeyEvent>
@@ -47,15 +46,16 @@ constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
-  : QVTKOpenGLNativeWidget(parent)
+  : FrameView(parent)
   , Await(new QTimer(this))
-  , Rest(new QTimer(this))
 {
-  this->setRenderWindow(this->Window);
-  this->Window->AddRenderer(this->Renderer);
-  this->Window->SetMultiSamples(edgeSamples);
   this->makeScene();
-  this->listen();
+  this->interactor()->SetInteractorStyle(this->Style);
+  this->Style->SetDefaultRenderer(this->Renderer);
+  this->Style->AddObserver(vtkCommand::StartInteractionEvent, this, &Viewport::moveBegins);
+  // Of a size that came during a drag.
+  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &Viewport::fitCamera);
+  this->Style->AddObserver(vtkCommand::ModifiedEvent, this, &Viewport::keysShown);
   this->Await->setSingleShot(true);
   connect(this->Await,
     &QTimer::timeout,
@@ -67,8 +67,6 @@ Viewport::Viewport(QWidget* parent)
         this->renderNow();
       }
     });
-  this->Rest->setSingleShot(true);
-  connect(this->Rest, &QTimer::timeout, this, &Viewport::smoothEdges);
   new TouchHand(this,
     { [this] { return this->CurrentTool && this->CurrentTool->isBusy(); },
       [this](double factor, const QPointF& at) { this->zoomAt(factor, at); },
@@ -108,25 +106,9 @@ void Viewport::makeScene()
   this->HintBox.addTo(this->Renderer);
 }
 
-void Viewport::listen()
-{
-  this->interactor()->SetInteractorStyle(this->Style);
-  this->Style->SetDefaultRenderer(this->Renderer);
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject*, unsigned long event, void* self, void*) { static_cast<Viewport*>(self)->heard(event); });
-  // One frame for all events that have come, so that a quick hand does not wait for each of its samples.
-  this->interactor()->EnableRenderOff();
-  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
-  this->Style->AddObserver(vtkCommand::StartInteractionEvent, this->Observer);
-  this->Style->AddObserver(vtkCommand::EndInteractionEvent, this->Observer);
-  this->Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
-}
-
 Viewport::~Viewport()
 {
-  this->interactor()->RemoveObserver(this->Observer);
-  this->Style->RemoveObserver(this->Observer);
+  this->Style->RemoveAllObservers();
   // Tools hold parts of the window, which goes first.
   for (Tool* tool : this->findChildren<Tool*>(QString(), Qt::FindDirectChildrenOnly))
   {
@@ -134,25 +116,10 @@ Viewport::~Viewport()
   }
 }
 
-void Viewport::heard(unsigned long event)
+void Viewport::moveBegins()
 {
-  if (event == vtkCommand::StartInteractionEvent)
-  {
-    this->hideHint();
-    emit this->cameraMoves();
-  }
-  else if (event == vtkCommand::EndInteractionEvent)
-  {
-    this->fitCamera(); // of a size that came during a drag
-  }
-  else if (event == vtkCommand::ModifiedEvent)
-  {
-    emit this->keysShown();
-  }
-  else if (!this->interactor()->GetEnableRender())
-  {
-    this->renderSoon();
-  }
+  this->hideHint();
+  emit this->cameraMoves();
 }
 
 void Viewport::setTool(Tool* tool)
@@ -177,15 +144,22 @@ void Viewport::fitAll()
 void Viewport::setUpAxis(int axis, bool looksAnew)
 {
   this->Style->SetUpAxis(axis);
-  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
   if (looksAnew || !this->mesh()) // nothing is lost where there is nothing to be seen
   {
-    this->fitCamera();
-    this->Looks.lookAtAll(this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), axis);
-    this->Style->SaveFirstView();
+    this->lookAnew();
     this->Renderer->ResetCameraClippingRange();
     this->renderSoon();
   }
+}
+
+// From the front, at all of the mesh.
+void Viewport::lookAnew()
+{
+  const double unit[6] = { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 };
+  this->fitCamera();
+  this->Looks.lookAtAll(
+    this->mesh() ? this->mesh()->GetBounds() : unit, this->Fitted.data(), this->Style->GetUpAxis());
+  this->Style->SaveFirstView();
 }
 
 void Viewport::setHandCursor(Qt::CursorShape shape)
@@ -204,32 +178,31 @@ void Viewport::render()
     this->CurrentTool->frameBegins();
   }
   this->Behind.look(this->Renderer);
-  if (this->OnProcessor.value_or(false))
+  if (this->onProcessor())
   {
     this->Renderer->UseFXAAOff();
     this->Model.hideBacks(true);
-    this->Rest->start(restTime);
+    this->Rest->start();
   }
   Latency::of().frameBegins();
   this->Window->Render();
   this->PaintWaits = true;
 }
 
-// Where the processor draws, edges are smoothed and all faces drawn once nothing moves any more.
-void Viewport::smoothEdges()
+bool Viewport::awaits() const
 {
-  if (this->Await->isActive() || (this->CurrentTool && this->CurrentTool->draws()))
-  {
-    this->Rest->start(restTime);
-    return;
-  }
-  this->renderSmooth();
-  this->repaint();
+  return this->Await->isActive();
 }
 
+bool Viewport::isHeld() const
+{
+  return this->awaits() || (this->CurrentTool && this->CurrentTool->draws());
+}
+
+// Where the processor draws, edges are smoothed and all faces drawn once nothing moves any more.
 void Viewport::renderSmooth()
 {
-  if (this->OnProcessor.value_or(false))
+  if (this->onProcessor())
   {
     this->Renderer->UseFXAAOn();
     this->Model.hideBacks(false);
@@ -272,49 +245,20 @@ void Viewport::awaitNoMore()
   }
 }
 
-void Viewport::renderSoon()
-{
-  if (this->Await->isActive())
-  {
-    this->RenderWaits = true;
-  }
-  else if (!this->RenderWaits)
-  {
-    this->RenderWaits = true;
-    QTimer::singleShot(0,
-      this,
-      [this]
-      {
-        if (this->RenderWaits && !this->Await->isActive())
-        {
-          this->renderNow();
-        }
-      });
-  }
-}
-
 void Viewport::paintGL()
 {
   this->PaintWaits = false;
-  // What Qt asks for is drawn now.
   this->Behind.look(this->Renderer);
-  this->interactor()->EnableRenderOn();
-  QVTKOpenGLNativeWidget::paintGL();
-  this->interactor()->EnableRenderOff();
+  FrameView::paintGL();
   if (this->CurrentTool)
   {
     this->CurrentTool->framePainted();
-  }
-  if (Latency::of().isOn())
-  {
-    this->Window->WaitForCompletion();
-    Latency::of().framePainted();
   }
 }
 
 void Viewport::resizeGL(int width, int height)
 {
-  QVTKOpenGLNativeWidget::resizeGL(width, height);
+  FrameView::resizeGL(width, height);
   this->interactor()->InvokeEvent(vtkCommand::ConfigureEvent); // Qt's came before the window had its size
   this->fitCamera();
   this->fitScreen();
@@ -352,7 +296,7 @@ void Viewport::keyPressEvent(QKeyEvent* event)
   {
     emit this->returned();
   }
-  QVTKOpenGLNativeWidget::keyPressEvent(event);
+  FrameView::keyPressEvent(event);
 }
 
 bool Viewport::event(QEvent* event)
@@ -398,7 +342,7 @@ bool Viewport::event(QEvent* event)
       this->paintNow();
     }
   }
-  return this->Gestures.moves(event) || QVTKOpenGLNativeWidget::event(event);
+  return this->Gestures.moves(event) || FrameView::event(event);
 }
 
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
@@ -407,19 +351,16 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->Behind.setMesh(mesh);
   if (reset)
   {
-    this->fitCamera();
-    this->Looks.lookAtAll(mesh->GetBounds(), this->Fitted.data(), this->Style->GetUpAxis());
-    this->Style->SaveFirstView();
+    this->lookAnew();
     // Room for what is drawn beside the model.
     this->Renderer->SetSSAORadius(0.1 * mesh->GetLength());
     this->Renderer->SetSSAOBias(0.002 * mesh->GetLength());
   }
   this->Renderer->ResetCameraClippingRange();
-  if (!this->OnProcessor && this->isValid())
+  if (this->isValid())
   {
-    this->OnProcessor = drawsOnProcessor(this->Window);
-    this->Renderer->SetUseSSAO(!*this->OnProcessor);
-    this->Window->SetMultiSamples(*this->OnProcessor ? 0 : edgeSamples);
+    this->Renderer->SetUseSSAO(!this->onProcessor());
+    this->Window->SetMultiSamples(this->onProcessor() ? 0 : edgeSamples);
   }
   this->placeHint();
   emit this->meshShown();
@@ -437,11 +378,6 @@ void Viewport::clearMesh()
   this->renderSoon();
 }
 
-void Viewport::showPreview(vtkPolyData* mesh)
-{
-  this->Model.preview(mesh);
-}
-
 void Viewport::showInstead(vtkPolyData* mesh)
 {
   this->Looks.showInstead(mesh);
@@ -454,11 +390,6 @@ void Viewport::hideParts(const std::set<int>& parts)
 {
   this->Model.hide(parts);
   this->renderSoon();
-}
-
-vtkPolyData* Viewport::mesh() const
-{
-  return this->Model.mesh();
 }
 
 void Viewport::showPictures(const Pictures& pictures)
@@ -501,11 +432,6 @@ void Viewport::showMirror(const std::optional<MirrorPlane>& plane)
   this->renderSoon();
 }
 
-QString Viewport::hint() const
-{
-  return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
-}
-
 void Viewport::showHint(const QString& text, HintShape shape)
 {
   this->HintBox.setText(text.toStdString(), shape);
@@ -513,34 +439,36 @@ void Viewport::showHint(const QString& text, HintShape shape)
   this->renderSoon();
 }
 
-void Viewport::hideHint()
-{
-  this->HintBox.setVisible(false);
-}
-
 void Viewport::placeHint()
 {
   if (vtkPolyData* mesh = this->mesh())
   {
-    this->HintBox.place(this->Renderer, mesh, this->devicePixelRatioF(), overlaysOf(*this));
+    this->HintBox.place(this->Renderer, mesh, this->devicePixelRatioF(), this->overlays());
   }
+}
+
+std::vector<Hint::Box> Viewport::overlays() const
+{
+  std::vector<Hint::Box> boxes;
+  const double ratio = this->devicePixelRatioF();
+  for (const QWidget* one : this->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+  {
+    if (!one->isHidden())
+    {
+      const QRect at = one->geometry();
+      boxes.push_back({ ratio * at.left(),
+        ratio * (at.right() + 1),
+        ratio * (this->height() - at.bottom() - 1),
+        ratio * (this->height() - at.top()) });
+    }
+  }
+  return boxes;
 }
 
 void Viewport::setDark(bool dark)
 {
-  if (dark)
-  {
-    this->Renderer->SetBackground(0.13, 0.14, 0.16);
-    this->Renderer->SetBackground2(0.22, 0.24, 0.27);
-    this->Looks.setPlain(0.78, 0.76, 0.73);
-  }
-  else
-  {
-    this->Renderer->SetBackground(0.80, 0.82, 0.84);
-    this->Renderer->SetBackground2(0.95, 0.96, 0.97);
-    this->Looks.setPlain(0.90, 0.88, 0.85);
-  }
-  this->Renderer->GradientBackgroundOn();
+  this->setGround(dark);
+  dark ? this->Looks.setPlain({ 0.78, 0.76, 0.73 }) : this->Looks.setPlain({ 0.90, 0.88, 0.85 });
   this->Looks.setDark(dark);
   this->Mirror.setDark(dark);
   this->HintBox.setDark(dark);
@@ -573,6 +501,57 @@ void Viewport::showKeys(bool show)
 bool Viewport::showsKeys() const
 {
   return this->Style->GetShowKeys();
+}
+
+void Viewport::screenshot(const QString& path, bool overlays)
+{
+  const int section = this->Section->GetVisibility(), region = this->Region.isShown();
+  const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
+             keys = this->Style->GetShowKeys();
+  const auto showLines = [this](bool show)
+  {
+    for (Tool* tool : this->findChildren<Tool*>())
+    {
+      tool->showLines(show);
+    }
+    emit this->linesShown(show);
+    this->Looks.setOverlays(show);
+  };
+  if (!overlays)
+  {
+    showLines(false);
+    this->Section->VisibilityOff();
+    this->Region.actor()->VisibilityOff();
+    this->Mirror.setVisible(false);
+    this->HintBox.setVisible(false);
+    this->Style->SetShowKeys(false);
+  }
+  this->render();
+  this->renderSmooth();
+  vtkNew<vtkWindowToImageFilter> picture;
+  picture->SetInput(this->Window);
+  picture->ReadFrontBufferOff();
+  picture->Update();
+  this->Section->SetVisibility(section);
+  this->Region.actor()->SetVisibility(region);
+  this->Mirror.setVisible(mirror);
+  this->HintBox.setVisible(hint);
+  this->Style->SetShowKeys(keys);
+  showLines(true);
+  this->render();
+  oversketch_files::writeWhole(path.toStdString(),
+    [&](const std::string& file)
+    {
+      vtkNew<vtkPNGWriter> writer;
+      writer->SetInputConnection(picture->GetOutputPort());
+      writer->SetFileName(file.c_str());
+      writer->Write();
+      if (writer->GetErrorCode() != 0)
+      {
+        throw oversketch_files::Failed(
+          tr("%1 could not be written. Is the disk full?").arg(path).toStdString());
+      }
+    });
 }
 
 } // namespace oversketch_studio

@@ -4,6 +4,7 @@
 
 #include "backdrop.h"
 #include "display.h"
+#include "frame_view.h"
 #include "hand_gestures.h"
 #include "hint.h"
 #include "mirror_sheet.h"
@@ -13,28 +14,24 @@
 
 #include "vtkNew.h"
 
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <array>
 #include <optional>
 #include <set>
+#include <vector>
 
 class QTimer;
 class vtkActor;
-class vtkCallbackCommand;
-class vtkGenericOpenGLRenderWindow;
 class vtkLightKit;
 class vtkOversketchInteractorStyle;
 class vtkPolyData;
 class vtkPolyDataMapper;
-class vtkRenderer;
 
 namespace oversketch_studio
 {
 
 class Tool;
 
-class Viewport : public QVTKOpenGLNativeWidget
+class Viewport : public FrameView
 {
   Q_OBJECT
 
@@ -51,8 +48,9 @@ public:
   // Shows none.
   void clearMesh();
   // The mesh as a tool shows it meanwhile, with the same skin.
-  void showPreview(vtkPolyData* mesh);
-  vtkPolyData* mesh() const; // null where none is shown
+  void showPreview(vtkPolyData* mesh) { this->Model.preview(mesh); }
+  // Null where none is shown.
+  vtkPolyData* mesh() const { return this->Model.mesh(); }
   // Parts of the mesh that are not drawn (ModelView::hide).
   void hideParts(const std::set<int>& parts);
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
@@ -71,9 +69,13 @@ public:
   oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text, HintShape shape = HintShape::Limb);
-  QString hint() const; // that is seen; empty where none is
+  // That is seen; empty where none is.
+  QString hint() const
+  {
+    return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
+  }
   const Hint& hintBox() const { return this->HintBox; }
-  void hideHint();
+  void hideHint() { this->HintBox.setVisible(false); }
   void setDark(bool dark);
   // The camera that a stroke was drawn in, or a picture was put into the scene in.
   void lookFrom(vtkPolyData* stroke);
@@ -89,15 +91,15 @@ public:
   // For tools.
   Display& display() { return this->Looks; }
   vtkOversketchInteractorStyle* camera() { return this->Style; }
-  vtkRenderer* renderer() { return this->Renderer; }
   // The size of the view that the camera is for [px of the screen]: what was whole in view stays whole when
   // it becomes narrower than high (vtkOversketchInteractorStyle::FollowSize). It changes once the hand rests.
   const std::array<int, 2>& fittedSize() const { return this->Fitted; }
   void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
-  // A frame with the next turn of the event loop, and at once.
-  void renderSoon();
-  void renderNow();
+  void renderNow() override;
+  // What lies over the view and is seen, the strip at its upper left corner, the axes, in the screen's
+  // pixels.
+  std::vector<Hint::Box> overlays() const;
 
 signals:
   // Key Return; the camera is about to be moved.
@@ -110,6 +112,9 @@ signals:
   void linesShown(bool show);
 
 protected:
+  bool isHeld() const override;
+  bool awaits() const override;
+  void renderSmooth() override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void paintGL() override;
@@ -117,19 +122,15 @@ protected:
 
 private:
   void makeScene();
-  void listen();
-  void heard(unsigned long event);
+  void moveBegins(); // of the camera
   void render();
   void paintNow();
-  void smoothEdges();
-  void renderSmooth();
   void awaitNoMore();
   void placeHint();
   void fitScreen();
+  void lookAnew();
   void fitCamera();
 
-  vtkNew<vtkGenericOpenGLRenderWindow> Window;
-  vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
   Display Looks{ this->Renderer, this->Model };
@@ -141,13 +142,10 @@ private:
   Backdrop Behind;
   Hint HintBox;
   vtkNew<vtkOversketchInteractorStyle> Style;
-  vtkNew<vtkCallbackCommand> Observer;
   Tool* CurrentTool = nullptr;
   std::array<int, 2> Fitted{ 1, 1 };
-  std::optional<bool> OnProcessor; // once there is a context to ask
-  QTimer* Await;                   // runs while a mesh is awaited
-  QTimer* Rest;                    // since the last frame, where the processor draws
-  bool RenderWaits = false, PaintWaits = false;
+  QTimer* Await; // runs while a mesh is awaited
+  bool PaintWaits = false;
 };
 
 } // namespace oversketch_studio

@@ -8,7 +8,6 @@
 #include "systems.h"
 
 #include <QCoreApplication>
-#include <QFileInfo>
 
 namespace oversketch_studio
 {
@@ -22,52 +21,37 @@ struct Row
 {
   const char* title;
   const char* file;
+  bool isDrawing = false;
 };
-const Row models[] = {
+const Row exampleRows[] = {
   { QT_TRANSLATE_NOOP("Examples", "Dog"), "dog" },
   { QT_TRANSLATE_NOOP("Examples", "Bear"), "bear" },
   { QT_TRANSLATE_NOOP("Examples", "Dinosaur"), "dinosaur" },
   { QT_TRANSLATE_NOOP("Examples", "Hand"), "hand" },
   { QT_TRANSLATE_NOOP("Examples", "Octopus"), "octopus" },
   { QT_TRANSLATE_NOOP("Examples", "Person"), "person" },
+  { QT_TRANSLATE_NOOP("Examples", "Fish (drawing)"), "fish", true },
+  { QT_TRANSLATE_NOOP("Examples", "Heron (drawing)"), "heron", true },
+  { QT_TRANSLATE_NOOP("Examples", "Leaf (drawing)"), "leaf", true },
+  { QT_TRANSLATE_NOOP("Examples", "Mug (drawing)"), "mug", true },
+  { QT_TRANSLATE_NOOP("Examples", "Padlock (drawing)"), "padlock", true },
 };
-const Row drawings[] = {
-  { QT_TRANSLATE_NOOP("Examples", "Fish (drawing)"), "fish" },
-  { QT_TRANSLATE_NOOP("Examples", "Heron (drawing)"), "heron" },
-  { QT_TRANSLATE_NOOP("Examples", "Leaf (drawing)"), "leaf" },
-  { QT_TRANSLATE_NOOP("Examples", "Mug (drawing)"), "mug" },
-  { QT_TRANSLATE_NOOP("Examples", "Padlock (drawing)"), "padlock" },
-};
-
-QString nameOf(const Row& row)
-{
-  return QCoreApplication::translate("Examples", row.title);
-}
 
 } // namespace
 
 QVector<Example> examples()
 {
   QVector<Example> found;
-  const auto add = [&found](const Example& one)
+  for (const Row& row : exampleRows)
   {
-    const bool isWhole =
-      QFileInfo::exists(one.file) && (one.picture.isEmpty() || QFileInfo::exists(one.picture));
-    if (isWhole)
+    const QString stem = QString(row.isDrawing ? "Drawings/%1." : "Models/%1.").arg(row.file);
+    const Example one{ QCoreApplication::translate("Examples", row.title),
+      shippedFile(stem + (row.isDrawing ? "vtp" : "ply")),
+      row.isDrawing ? shippedFile(stem + "png") : QString() };
+    const bool isWhole = !row.isDrawing || (!one.picture.isEmpty() && findSystem(drawingSystem));
+    if (isWhole && !one.file.isEmpty())
     {
       found << one;
-    }
-  };
-  for (const Row& row : models)
-  {
-    add({ nameOf(row), shippedFile(QString("Models/%1.ply").arg(row.file)), {} });
-  }
-  for (const Row& row : drawings)
-  {
-    if (findSystem(drawingSystem))
-    {
-      const QString stem = QString("Drawings/%1.").arg(row.file);
-      add({ nameOf(row), shippedFile(stem + "vtp"), shippedFile(stem + "png") });
     }
   }
   return found;

@@ -50,11 +50,6 @@ void Latency::moved(const std::string& what)
   }
 }
 
-void Latency::frameBegins()
-{
-  this->Frame = now();
-}
-
 void Latency::framePainted()
 {
   if (!this->Path || !this->Frame)

@@ -38,7 +38,7 @@ public:
   // The deformed mesh is what the next frame shows.
   void meshComes() { this->MeshComes = true; }
   // A frame begins; it is painted. A frame that nothing waited for is a plain redraw.
-  void frameBegins();
+  void frameBegins() { this->Frame = now(); }
   void framePainted();
   bool isOn() const { return this->Path.has_value(); }
 

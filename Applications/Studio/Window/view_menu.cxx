@@ -2,6 +2,7 @@
 
 #include "axis_gizmo.h"
 #include "document.h"
+#include "point_normals.h"
 #include "view_bar.h"
 #include "viewport.h"
 
@@ -9,10 +10,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkRenderer.h"
 
 #include <QAction>
@@ -21,6 +19,7 @@
 #include <QLabel>
 #include <QLocale>
 #include <QMenu>
+#include <QSettings>
 
 #include <algorithm>
 
@@ -45,21 +44,28 @@ QString shortNumber(vtkIdType count)
                            : ViewMenu::tr("%1M").arg(here.toString(static_cast<double>(count) / 1e6, 'f', 1));
 }
 
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
+} // namespace
+
+ViewSettings ViewSettings::read()
 {
-  if (!mesh || mesh->GetPointData()->GetNormals() || mesh->GetNumberOfPolys() > fineMesh)
-  {
-    return mesh;
-  }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(mesh);
-  normals->SplittingOff();
-  normals->ConsistencyOff();
-  normals->Update();
-  return normals->GetOutput();
+  const QSettings settings;
+  ViewSettings kept;
+  const int shading = settings.value("view/shading", 0).toInt();
+  kept.shading = shading > 0 && shading < shadings ? static_cast<Shading>(shading) : Shading::Smooth;
+  kept.parallel = settings.value("view/parallel", kept.parallel).toBool();
+  kept.free = settings.value("view/free", kept.free).toBool();
+  kept.ground = settings.value("view/ground", kept.ground).toBool();
+  return kept;
 }
 
-} // namespace
+void ViewSettings::write() const
+{
+  QSettings settings;
+  settings.setValue("view/shading", static_cast<int>(this->shading));
+  settings.setValue("view/parallel", this->parallel);
+  settings.setValue("view/free", this->free);
+  settings.setValue("view/ground", this->ground);
+}
 
 ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node, QWidget* parent)
   : QObject(parent)
@@ -74,16 +80,14 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
 {
   this->makeCamera();
   this->makeShadings();
-  const auto toggle = [this](const QString& text, const std::function<void(bool)>& run)
-  { return this->addToggle(nullptr, text, {}, run); };
-  this->Ground = toggle(tr("&Ground grid"), [this](bool on) { this->Settings.ground = on; });
-  this->Onion = toggle(tr("&Onion of the original"), [](bool) {});
+  this->Ground = this->addToggle(tr("&Ground grid"), {}, [this](bool on) { this->Settings.ground = on; });
+  this->Onion = this->addToggle(tr("&Onion of the original"), {}, [](bool) {});
   this->Onion->setIconText(tr("Onion"));
   this->Onion->setToolTip(tr("The model as it was opened, through the present one"));
   this->Before = new QAction(tr("&Before the selected step (hold U)"), this);
   this->Before->setCheckable(true);
   connect(this->Before, &QAction::toggled, this, &ViewMenu::showBefore);
-  this->Picture = this->addToggle(nullptr, tr("Pictures o&f models"), tr("F"), [](bool) {});
+  this->Picture = this->addToggle(tr("Pictures o&f models"), tr("F"), [](bool) {});
   this->Picture->setIconText(tr("Picture"));
   this->Picture->setToolTip(tr("What the model wears, or its form alone (F)"));
   this->Picture->setChecked(true);
@@ -124,10 +128,7 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
 
 ViewMenu::~ViewMenu() = default;
 
-QAction* ViewMenu::addToggle(QMenu* menu,
-  const QString& text,
-  const QString& key,
-  const std::function<void(bool)>& run)
+QAction* ViewMenu::addToggle(const QString& text, const QString& key, const std::function<void(bool)>& run)
 {
   auto* action = new QAction(text, this);
   action->setCheckable(true);
@@ -141,18 +142,13 @@ QAction* ViewMenu::addToggle(QMenu* menu,
       this->Settings.write();
       this->apply();
     });
-  if (menu)
-  {
-    menu->addAction(action);
-  }
   return action;
 }
 
 void ViewMenu::makeCamera()
 {
   QMenu* menu = this->Camera.get();
-  this->Parallel = this->addToggle(menu,
-    tr("Ort&hographic"),
+  this->Parallel = this->addToggle(tr("Ort&hographic"),
     tr("5"),
     [this](bool on)
     {
@@ -160,11 +156,12 @@ void ViewMenu::makeCamera()
       this->View->camera()->SetParallelProjection(on);
     });
   this->Free =
-    this->addToggle(menu, tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
+    this->addToggle(tr("Turn fr&eely, as a ball"), {}, [this](bool on) { this->Settings.free = on; });
   this->UpZ =
-    this->addToggle(menu, tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
+    this->addToggle(tr("&Z is up"), {}, [this](bool on) { this->View->setUpAxis(on ? 2 : 1, true); });
   this->UpZ->setToolTip(
     tr("The model stands on the plane of x and y, as many scans and CAD models do; else y is up"));
+  menu->addActions({ this->Parallel, this->Free, this->UpZ });
   menu->addSeparator();
   QAction* fit = menu->addAction(tr("F&it"));
   fit->setShortcut(QKeySequence(tr("Home")));
@@ -213,13 +210,12 @@ void ViewMenu::makeShadings()
   auto* group = new QActionGroup(this);
   for (int i = 0; i < shadings; ++i)
   {
-    QAction* action = this->addToggle(this->Model.get(),
-      all[i].text,
-      {},
-      [this, i](bool) { this->Settings.shading = static_cast<Shading>(i); });
+    QAction* action =
+      this->addToggle(all[i].text, {}, [this, i](bool) { this->Settings.shading = static_cast<Shading>(i); });
     action->setIconText(all[i].inBar);
     action->setToolTip(all[i].help);
     group->addAction(action);
+    this->Model->addAction(action);
     this->Shadings << action;
   }
 }
@@ -265,7 +261,11 @@ void ViewMenu::showOnion()
   const vtkSmartPointer<vtkPolyData> original =
     this->Shown->isOpen() ? this->Shown->session().mesh.own() : nullptr;
   this->Onion->setEnabled(original != nullptr);
-  this->View->display().showOnion(this->Onion->isChecked() ? withNormals(original).Get() : nullptr);
+  const bool isShown = original && this->Onion->isChecked(),
+             isFine = isShown && original->GetNumberOfPolys() > fineMesh;
+  this->View->display().showOnion(!isShown ? nullptr
+                                  : isFine ? original.Get()
+                                           : oversketch_files::withPointNormals(original).Get());
   this->View->renderSoon();
 }
 

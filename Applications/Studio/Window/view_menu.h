@@ -2,7 +2,7 @@
 #ifndef oversketch_applications_studio_window_view_menu_h
 #define oversketch_applications_studio_window_view_menu_h
 
-#include "view_settings.h"
+#include "model_view.h"
 
 #include <QObject>
 #include <QVector>
@@ -21,6 +21,19 @@ class AxisGizmo;
 class Document;
 class ViewBar;
 class Viewport;
+
+// How a person likes to look at models, kept per user.
+struct ViewSettings
+{
+  Shading shading = Shading::Smooth;
+  bool parallel = false; // orthographic
+  bool free = false;     // turns as a ball does; else upright
+  bool ground = false;
+
+  // What QSettings holds; what it cannot be counts as usual.
+  static ViewSettings read();
+  void write() const;
+};
 
 class ViewMenu : public QObject
 {
@@ -48,10 +61,7 @@ protected:
 private:
   void makeCamera();
   void makeShadings();
-  QAction* addToggle(QMenu* menu,
-    const QString& text,
-    const QString& key,
-    const std::function<void(bool)>& run);
+  QAction* addToggle(const QString& text, const QString& key, const std::function<void(bool)>& run);
   void apply();
   void setTexts();
   void refresh();

@@ -1,19 +1,25 @@
-#include "flat_view.h"
+#include "frame_view.h"
 
-#include "draws_on_processor.h"
 #include "latency.h"
 
-#include "vtkCallbackCommand.h"
 #include "vtkGenericOpenGLRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
 
 #include <QTimer>
 
+#include <cstring>
+
 namespace oversketch_studio
 {
 
-FlatView::FlatView(QWidget* parent)
+bool drawsOnProcessor(vtkRenderWindow* window)
+{
+  const char* about = window->ReportCapabilities();
+  return about && (std::strstr(about, "llvmpipe") || std::strstr(about, "softpipe"));
+}
+
+FrameView::FrameView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , Rest(new QTimer(this))
 {
@@ -22,23 +28,40 @@ FlatView::FlatView(QWidget* parent)
   this->Window->SetMultiSamples(edgeSamples);
   this->interactor()->SetInteractorStyle(nullptr);
   this->interactor()->EnableRenderOff();
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback(
-    [](vtkObject*, unsigned long, void* self, void*) { static_cast<FlatView*>(self)->renderSoon(); });
-  this->interactor()->AddObserver(vtkCommand::RenderEvent, this->Observer);
+  this->Observer = this->interactor()->AddObserver(vtkCommand::RenderEvent, this, &FrameView::asked);
   this->Rest->setSingleShot(true);
   this->Rest->setInterval(restTime);
-  connect(this->Rest, &QTimer::timeout, this, &FlatView::renderSmooth);
+  connect(this->Rest,
+    &QTimer::timeout,
+    this,
+    [this]
+    {
+      if (this->isHeld())
+      {
+        this->Rest->start();
+        return;
+      }
+      this->renderSmooth();
+      this->repaint();
+    });
 }
 
-FlatView::~FlatView()
+FrameView::~FrameView()
 {
   this->interactor()->RemoveObserver(this->Observer);
 }
 
-void FlatView::renderSoon()
+void FrameView::asked()
 {
-  if (this->RenderWaits || this->interactor()->GetEnableRender())
+  if (!this->interactor()->GetEnableRender())
+  {
+    this->renderSoon();
+  }
+}
+
+void FrameView::renderSoon()
+{
+  if (this->RenderWaits)
   {
     return;
   }
@@ -47,7 +70,7 @@ void FlatView::renderSoon()
     this,
     [this]
     {
-      if (this->RenderWaits)
+      if (this->RenderWaits && !this->awaits())
       {
         this->renderNow();
       }
@@ -57,10 +80,10 @@ void FlatView::renderSoon()
 // Painted at once (Qt puts a repaint off that follows closely on the last), and all of it on the screen
 // before the hand is heard again: the processor draws behind the program's back, and frames that it is late
 // with would pile up behind the pen.
-void FlatView::renderNow()
+void FrameView::renderNow()
 {
   this->RenderWaits = false;
-  if (this->OnProcessor.value_or(false))
+  if (this->onProcessor())
   {
     this->Window->SetMultiSamples(0);
     this->Rest->start();
@@ -68,30 +91,37 @@ void FlatView::renderNow()
   Latency::of().frameBegins();
   this->Window->Render();
   this->repaint();
-  if (this->OnProcessor.value_or(false) && this->isValid())
+  if (this->onProcessor() && this->isValid())
   {
     this->makeCurrent();
     this->Window->WaitForCompletion();
   }
 }
 
-void FlatView::renderSmooth()
+void FrameView::renderSmooth()
 {
-  if (this->isHeld())
-  {
-    this->Rest->start();
-    return;
-  }
   this->Window->SetMultiSamples(edgeSamples);
   this->Window->Render();
 }
 
-void FlatView::paintGL()
+void FrameView::setGround(bool dark)
 {
-  if (!this->OnProcessor)
+  dark ? this->Renderer->SetBackground(0.13, 0.14, 0.16) : this->Renderer->SetBackground(0.80, 0.82, 0.84);
+  dark ? this->Renderer->SetBackground2(0.22, 0.24, 0.27) : this->Renderer->SetBackground2(0.95, 0.96, 0.97);
+  this->Renderer->GradientBackgroundOn();
+}
+
+bool FrameView::onProcessor()
+{
+  if (!this->OnProcessor && this->isValid())
   {
     this->OnProcessor = drawsOnProcessor(this->Window);
   }
+  return this->OnProcessor.value_or(false);
+}
+
+void FrameView::paintGL()
+{
   this->interactor()->EnableRenderOn(); // what Qt asks for is drawn now
   QVTKOpenGLNativeWidget::paintGL();
   this->interactor()->EnableRenderOff();
