@@ -213,83 +213,72 @@ vtkPolyData* vtkOversketchCrossSection::GetSectionOutput()
   return this->GetOutput(1);
 }
 
-int vtkOversketchCrossSection::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* boundary = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* planes = vtkPolyData::GetData(inputs[2]);
+  for (const double component : this->Right)
+  {
+    RequireFinite(component, "Right");
+  }
+  Cache& cache = *this->Internals;
+  vtkPointData* data = mesh->GetPointData();
+  const StepKey key(
+    { MeshKey(mesh, { data->GetNormals(), data->GetArray("CurveDistance"), data->GetArray("CurveSide") }),
+      WholeKey(boundary),
+      WholeKey(planes) },
+    { static_cast<double>(this->Ends),
+      static_cast<double>(this->Walk),
+      this->Right[0],
+      this->Right[1],
+      this->Right[2] });
+  cache.Profile.Provide(key,
+    vtkPolyData::GetData(outputs, 0),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* boundary = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* planes = vtkPolyData::GetData(inputs[2]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->SectionCount;
+      cache.Section->Initialize();
+      const Sectioner& cutter = cache.CutterOf(mesh, boundary);
+      const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
+      if (!planes->GetFieldData()->GetArray("PlaneT"))
       {
+        throw Error(Failure::MissingArray, "The planes input has no field array PlaneT: %1.", planesRemedy);
+      }
+      SectionRules rules;
+      rules.ends = this->Ends == Outermost ? SectionRules::Ends::Outermost : SectionRules::Ends::Nearest;
+      rules.plane = this->Walk == Centre ? SectionRules::Plane::Centre : SectionRules::Plane::Across;
+      rules.right = Vector3(this->Right);
+      rules.halfSize = mesh->GetLength();
+      mesh->GetCenter(rules.centre.data());
+      const Section section =
+        cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
+      if (section.points.empty())
+      {
+        if (this->Ends == Nearest)
+        {
+          Warn(this,
+            "From {the reference curve} the plane goes round the model or a limb and back without "
+            "meeting "
+            "{the boundary curve}: there is no profile; slide it along {the reference curve}, or draw "
+            "the "
+            "boundary so that the limb's tip is not inside.");
+        }
+        else
+        {
+          Warn(this,
+            "The plane meets {the boundary curve} fewer than twice: there is no profile; slide it "
+            "along {the reference curve}.");
+        }
         return;
       }
-      for (const double component : this->Right)
-      {
-        RequireFinite(component, "Right");
-      }
-      Cache& cache = *this->Internals;
-      vtkPointData* data = mesh->GetPointData();
-      const StepKey key(
-        { MeshKey(mesh, { data->GetNormals(), data->GetArray("CurveDistance"), data->GetArray("CurveSide") }),
-          WholeKey(boundary),
-          WholeKey(planes) },
-        { static_cast<double>(this->Ends),
-          static_cast<double>(this->Walk),
-          this->Right[0],
-          this->Right[1],
-          this->Right[2] });
-      cache.Profile.Provide(key,
-        vtkPolyData::GetData(outputs, 0),
-        [&](vtkPolyData* result)
-        {
-          ++this->SectionCount;
-          cache.Section->Initialize();
-          const Sectioner& cutter = cache.CutterOf(mesh, boundary);
-          const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
-          if (!planes->GetFieldData()->GetArray("PlaneT"))
-          {
-            throw Error(
-              Failure::MissingArray, "The planes input has no field array PlaneT: %1.", planesRemedy);
-          }
-          SectionRules rules;
-          rules.ends = this->Ends == Outermost ? SectionRules::Ends::Outermost : SectionRules::Ends::Nearest;
-          rules.plane = this->Walk == Centre ? SectionRules::Plane::Centre : SectionRules::Plane::Across;
-          rules.right = Vector3(this->Right);
-          rules.halfSize = mesh->GetLength();
-          mesh->GetCenter(rules.centre.data());
-          const Section section =
-            cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
-          if (section.points.empty())
-          {
-            if (this->Ends == Nearest)
-            {
-              Warn(this,
-                "From {the reference curve} the plane goes round the model or a limb and back without "
-                "meeting "
-                "{the boundary curve}: there is no profile; slide it along {the reference curve}, or draw "
-                "the "
-                "boundary so that the limb's tip is not inside.");
-            }
-            else
-            {
-              Warn(this,
-                "The plane meets {the boundary curve} fewer than twice: there is no profile; slide it "
-                "along {the reference curve}.");
-            }
-            return;
-          }
-          const std::vector<double> beside = SidesOf(mesh, section.places);
-          const FlatProfile profile =
-            cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
-          WriteProfile(profile, planes, result);
-          WriteSection(section, beside, cache.Section);
-        });
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Section);
+      const std::vector<double> beside = SidesOf(mesh, section.places);
+      const FlatProfile profile =
+        cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
+      WriteProfile(profile, planes, result);
+      WriteSection(section, beside, cache.Section);
     });
+  vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Section);
 }
 
 void vtkOversketchCrossSection::PrintSelf(ostream& os, vtkIndent indent)

@@ -282,23 +282,10 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
   return true;
 }
 
-int vtkOversketchLaplacianDeform::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      if (input->GetNumberOfPoints() > 0)
-      {
-        this->Deform(input, vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(outputs));
-      }
-    });
-}
-
-void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handlesInput, vtkPolyData* output)
-{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
   Cache& cache = *this->Internals;
   RequirePolygonsOnly(input); // the keys do not see other cells
   const MeshKey systemKey(input);
@@ -309,7 +296,8 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     input->GetNumberOfPoints(),
     "mesh",
     "vtkOversketchMixtureRegion or another region filter makes it"));
-  const Handles handles = HandlesOf(handlesInput, static_cast<int>(input->GetNumberOfPoints()));
+  const Handles handles =
+    HandlesOf(vtkPolyData::GetData(inputs[1]), static_cast<int>(input->GetNumberOfPoints()));
   const Context context = ContextOf(this);
 
   const bool sameSystem = cache.Shape && cache.SystemKey == systemKey && cache.Region == region &&

@@ -87,50 +87,40 @@ vtkOversketchProfilePlanes::vtkOversketchProfilePlanes()
 
 vtkOversketchProfilePlanes::~vtkOversketchProfilePlanes() = default;
 
-int vtkOversketchProfilePlanes::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchProfilePlanes::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+  RequireFinite(this->T, "T");
+  Cache& cache = *this->Internals;
+  const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) },
+    { this->T, static_cast<double>(this->Frame) });
+  cache.Kept.Provide(key,
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      const CurveOnMesh& reference = cache.CurveOf(mesh, curve);
+      const CurveFrame frame =
+        this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
+      WriteSquares(frame, mesh->GetLength(), result);
+      WriteMatrix(result->GetFieldData(), "Frame", matrixOf(frame));
+      vtkNew<vtkDoubleArray> place, weights;
+      place->SetName("PlaneT");
+      place->InsertNextValue(this->T);
+      vtkNew<vtkIdTypeArray> vertices;
+      vertices->SetName("MeshVertices");
+      vertices->SetNumberOfComponents(3);
+      weights->SetName("MeshWeights");
+      weights->SetNumberOfComponents(3);
+      const Binding binding = reference.PlaceAt(this->T);
+      weights->InsertNextTuple(binding.weights.data());
+      for (const int v : binding.vertices)
       {
-        return;
+        vertices->InsertNextValue(v);
       }
-      RequireFinite(this->T, "T");
-      Cache& cache = *this->Internals;
-      const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) },
-        { this->T, static_cast<double>(this->Frame) });
-      cache.Kept.Provide(key,
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          const CurveOnMesh& reference = cache.CurveOf(mesh, curve);
-          const CurveFrame frame =
-            this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
-          WriteSquares(frame, mesh->GetLength(), result);
-          WriteMatrix(result->GetFieldData(), "Frame", matrixOf(frame));
-          vtkNew<vtkDoubleArray> place, weights;
-          place->SetName("PlaneT");
-          place->InsertNextValue(this->T);
-          vtkNew<vtkIdTypeArray> vertices;
-          vertices->SetName("MeshVertices");
-          vertices->SetNumberOfComponents(3);
-          weights->SetName("MeshWeights");
-          weights->SetNumberOfComponents(3);
-          const Binding binding = reference.PlaceAt(this->T);
-          weights->InsertNextTuple(binding.weights.data());
-          for (const int v : binding.vertices)
-          {
-            vertices->InsertNextValue(v);
-          }
-          result->GetFieldData()->AddArray(place);
-          result->GetFieldData()->AddArray(vertices);
-          result->GetFieldData()->AddArray(weights);
-        });
+      result->GetFieldData()->AddArray(place);
+      result->GetFieldData()->AddArray(vertices);
+      result->GetFieldData()->AddArray(weights);
     });
 }
 

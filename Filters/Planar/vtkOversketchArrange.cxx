@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -78,35 +77,25 @@ vtkOversketchArrange::vtkOversketchArrange()
 
 vtkOversketchArrange::~vtkOversketchArrange() = default;
 
-int vtkOversketchArrange::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const MeshKey read(curves,
+    { curves->GetFieldData()->GetArray("Canvas"),
+      curves->GetFieldData()->GetArray("Resolution"),
+      curves->GetCellData()->GetArray("StrokeId") });
+  this->Internals->Kept.Provide(StepKey({ read }, { this->JoinDistance }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      if (curves->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      const MeshKey read(curves,
-        { curves->GetFieldData()->GetArray("Canvas"),
-          curves->GetFieldData()->GetArray("Resolution"),
-          curves->GetCellData()->GetArray("StrokeId") });
-      this->Internals->Kept.Provide(StepKey({ read }, { this->JoinDistance }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->ArrangementCount;
-          const Canvas canvas = CanvasOf(curves);
-          const Frame frame = RasterOf(curves);
-          const double reach = this->JoinDistance * canvas.longest() / frame.spacing;
-          writeArranged(arrange(frame, StrokesOf(curves), reach, ContextOf(this)), canvas, result);
-        });
-      passStrokeArrays(curves, output->GetCellData()->GetArray("StrokeId"), output);
+      ++this->ArrangementCount;
+      const Canvas canvas = CanvasOf(curves);
+      const Frame frame = RasterOf(curves);
+      const double reach = this->JoinDistance * canvas.longest() / frame.spacing;
+      writeArranged(arrange(frame, StrokesOf(curves), reach, ContextOf(this)), canvas, result);
     });
+  passStrokeArrays(curves, output->GetCellData()->GetArray("StrokeId"), output);
 }
 
 void vtkOversketchArrange::PrintSelf(ostream& os, vtkIndent indent)

@@ -371,31 +371,21 @@ void vtkOversketchRemesh::ReleaseWork()
   this->Modified();
 }
 
-int vtkOversketchRemesh::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRemesh::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      Cache& cache = *this->Internals;
-      const Cache::Question question = Cache::Read(this, input, handles);
-      if (!cache.Points || cache.Key != question.Key)
-      {
-        cache.Remesh(this, input, question);
-      }
-      cache.Write(input, vtkPolyData::GetData(outputs, 0));
-      if (handles)
-      {
-        cache.WriteHandles(handles, vtkPolyData::GetData(outputs, 1));
-      }
-    });
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+  Cache& cache = *this->Internals;
+  const Cache::Question question = Cache::Read(this, input, handles);
+  if (!cache.Points || cache.Key != question.Key)
+  {
+    cache.Remesh(this, input, question);
+  }
+  cache.Write(input, vtkPolyData::GetData(outputs, 0));
+  if (handles)
+  {
+    cache.WriteHandles(handles, vtkPolyData::GetData(outputs, 1));
+  }
 }
 
 void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)

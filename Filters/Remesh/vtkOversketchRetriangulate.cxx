@@ -170,35 +170,25 @@ void vtkOversketchRetriangulate::SetMotion(std::shared_ptr<const Motion> motion)
   }
 }
 
-int vtkOversketchRetriangulate::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRetriangulate::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* const curves[2] = { vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]) };
-      vtkPolyData* rest = this->Rule == Edit ? vtkPolyData::GetData(inputs[3]) : nullptr;
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      Cache& cache = *this->Internals;
-      const StepKey key(
-        { WholeKey(mesh), WholeKey(curves[0]), WholeKey(curves[1]), rest ? MeshKey(rest) : MeshKey() },
-        { static_cast<double>(this->Rule) });
-      if (!cache.Outputs[0] || cache.Key != key || cache.Known != this->Known)
-      {
-        cache.Make(this, mesh, rest, curves);
-        cache.Key = key;
-        cache.Known = this->Known;
-      }
-      for (int port = 0; port < 3; ++port)
-      {
-        vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
-      }
-    });
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* const curves[2] = { vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]) };
+  vtkPolyData* rest = this->Rule == Edit ? vtkPolyData::GetData(inputs[3]) : nullptr;
+  Cache& cache = *this->Internals;
+  const StepKey key(
+    { WholeKey(mesh), WholeKey(curves[0]), WholeKey(curves[1]), rest ? MeshKey(rest) : MeshKey() },
+    { static_cast<double>(this->Rule) });
+  if (!cache.Outputs[0] || cache.Key != key || cache.Known != this->Known)
+  {
+    cache.Make(this, mesh, rest, curves);
+    cache.Key = key;
+    cache.Known = this->Known;
+  }
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
+  }
 }
 
 void vtkOversketchRetriangulate::PrintSelf(ostream& os, vtkIndent indent)

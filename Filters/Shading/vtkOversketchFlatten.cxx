@@ -8,7 +8,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -120,41 +119,31 @@ vtkOversketchFlatten::vtkOversketchFlatten()
 
 vtkOversketchFlatten::~vtkOversketchFlatten() = default;
 
-int vtkOversketchFlatten::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchFlatten::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const int rounds = this->AsPublished ? 0 : balancingRounds;
-      const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
-      const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
-      Cache& cache = *this->Internals;
-      if (!cache.Made || cache.Key != key)
-      {
-        cache.Made = false; // so that nothing stale is left when making fails
-        ++this->FlattenCount;
-        InsidePatch inside = InsideOf(mesh, this->AsPublished);
-        const std::vector<Vector2> places = flattened(inside.Patch, ContextOf(this), rounds);
-        cache.Coordinates = coordinateArray(mesh->GetNumberOfPoints());
-        cache.Disc = discOf(inside, places, cache.Coordinates);
-        cache.Numbers = std::move(inside.Numbers);
-        cache.Key = key;
-        cache.Made = true;
-      }
-      layOnDisc(reference, chain, cache.Numbers, cache.Disc, vtkPolyData::GetData(outputs, 2));
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      output->ShallowCopy(mesh);
-      output->GetPointData()->AddArray(cache.Coordinates);
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Disc);
-    });
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+  const int rounds = this->AsPublished ? 0 : balancingRounds;
+  const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
+  const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
+  Cache& cache = *this->Internals;
+  if (!cache.Made || cache.Key != key)
+  {
+    cache.Made = false; // so that nothing stale is left when making fails
+    ++this->FlattenCount;
+    InsidePatch inside = InsideOf(mesh, this->AsPublished);
+    const std::vector<Vector2> places = flattened(inside.Patch, ContextOf(this), rounds);
+    cache.Coordinates = coordinateArray(mesh->GetNumberOfPoints());
+    cache.Disc = discOf(inside, places, cache.Coordinates);
+    cache.Numbers = std::move(inside.Numbers);
+    cache.Key = key;
+    cache.Made = true;
+  }
+  layOnDisc(reference, chain, cache.Numbers, cache.Disc, vtkPolyData::GetData(outputs, 2));
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(mesh);
+  output->GetPointData()->AddArray(cache.Coordinates);
+  vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Disc);
 }
 
 void vtkOversketchFlatten::PrintSelf(ostream& os, vtkIndent indent)

@@ -156,43 +156,32 @@ int vtkOversketchScanFill::RequestInformation(vtkInformation*,
   return 1;
 }
 
-int vtkOversketchScanFill::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchScanFill::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* mask = vtkImageData::GetData(outputs, 1);
+  const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
+  Cache& cache = *this->Internals;
+  if (!cache.Mask || cache.Key != key)
+  {
+    cache.Mask = nullptr; // so that nothing stale is left when making fails
+    ++this->FillCount;
+    const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
+    if (lines.size() > mostAreas)
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* mask = vtkImageData::GetData(outputs, 1);
-      if (strokes->GetNumberOfPoints() == 0)
-      {
-        mask->Initialize();
-        return;
-      }
-      const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
-      Cache& cache = *this->Internals;
-      if (!cache.Mask || cache.Key != key)
-      {
-        cache.Mask = nullptr; // so that nothing stale is left when making fails
-        ++this->FillCount;
-        const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
-        if (lines.size() > mostAreas)
-        {
-          throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
-        }
-        std::vector<Polyline> outlines;
-        for (std::size_t i = 0; i < lines.size(); ++i)
-        {
-          outlines.push_back(onDisc(strokes, lines[i], i));
-        }
-        cache.Areas = areasOf(strokes, outlines);
-        cache.Mask = maskOf(outlines, this->Resolution, ContextOf(this));
-        cache.Key = key;
-      }
-      vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Areas);
-      mask->ShallowCopy(cache.Mask);
-    });
+      throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
+    }
+    std::vector<Polyline> outlines;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      outlines.push_back(onDisc(strokes, lines[i], i));
+    }
+    cache.Areas = areasOf(strokes, outlines);
+    cache.Mask = maskOf(outlines, this->Resolution, ContextOf(this));
+    cache.Key = key;
+  }
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Areas);
+  mask->ShallowCopy(cache.Mask);
 }
 
 void vtkOversketchScanFill::PrintSelf(ostream& os, vtkIndent indent)

@@ -173,32 +173,20 @@ int vtkOversketchShadingLevels::RequestUpdateExtent(vtkInformation* request,
   return done;
 }
 
-int vtkOversketchShadingLevels::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchShadingLevels::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* disc = vtkPolyData::GetData(inputs[1]);
-      vtkImageData* areas = vtkImageData::GetData(inputs[2]);
-      vtkImageData* image = vtkImageData::GetData(outputs, 1);
-      vtkImageData* display = vtkImageData::GetData(outputs, 2);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        image->Initialize();
-        display->Initialize();
-        return;
-      }
-      this->Shade(mesh, disc, areas);
-      const Cache& cache = *this->Internals;
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      output->ShallowCopy(mesh);
-      output->GetPointData()->AddArray(cache.Weights);
-      image->ShallowCopy(cache.Image);
-      display->ShallowCopy(cache.Display);
-    });
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* disc = vtkPolyData::GetData(inputs[1]);
+  vtkImageData* areas = vtkImageData::GetData(inputs[2]);
+  vtkImageData* image = vtkImageData::GetData(outputs, 1);
+  vtkImageData* display = vtkImageData::GetData(outputs, 2);
+  this->Shade(mesh, disc, areas);
+  const Cache& cache = *this->Internals;
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(mesh);
+  output->GetPointData()->AddArray(cache.Weights);
+  image->ShallowCopy(cache.Image);
+  display->ShallowCopy(cache.Display);
 }
 
 void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtkImageData* areas)

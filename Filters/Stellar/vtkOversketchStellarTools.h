@@ -56,18 +56,16 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
 
-// Runs a step with a 4-8 mesh on port 0 and curves on port 1, as RunFilter does. Without points its output is
-// empty; without curves the mesh goes through, and is refused all the same where it is none.
+// A step with a 4-8 mesh on port 0 and curves on port 1.
 struct CurveStep
 {
   vtkPolyData *mesh, *curves, *output;
   vtkPolyData* third; // of port 2; null: none
-  const Context& context;
+  Context context;
 };
-int RunCurveStep(vtkAlgorithm* filter,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs,
-  const std::function<void(const CurveStep& step)>& run);
+// Of a filter; without curves, which are then null, the mesh has gone through, and is refused all the same
+// where it is none.
+CurveStep CurveStepOf(vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 // Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
 void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCurves& curves);
