@@ -2,7 +2,7 @@
 #include "vtkOversketchAugmentPipeline.h"
 
 #include "Stellar/quality.h"
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchStellarCurves.h"
 
 #include "vtkCellData.h"

@@ -4,7 +4,6 @@
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"

@@ -3,7 +3,7 @@
 #include "Section/profile.h"
 #include "Section/walk.h"
 #include "vtkOversketchBindings.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"

@@ -1,7 +1,7 @@
 #include "vtkOversketchEditTools.h"
 
 #include "Mesh/context.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkAOSDataArrayTemplate.h"

@@ -4,7 +4,6 @@
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -5,7 +5,6 @@
 #include "Stroke/polyline.h"
 #include "Stroke/resample.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"

@@ -7,7 +7,6 @@
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 #include "vtkOversketchEditPipeline.h"
 
 #include "Mesh/weld.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSources.h"
 

@@ -1,9 +1,9 @@
 #include "vtkOversketchEditPipeline.h"
 
 #include "Shading/layer_list.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchEditCurves.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkAlgorithmOutput.h"

@@ -3,7 +3,7 @@
 #include "Intersection/crossing_faces.h"
 #include "Matrix/logarithm.h"
 #include "Ray/surface_rays.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchSharedMesh.h"
 

@@ -2,7 +2,7 @@
 
 #include "Region/enclose.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"

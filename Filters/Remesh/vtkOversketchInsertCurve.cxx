@@ -3,11 +3,10 @@
 #include "Remesh/insert_curves.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

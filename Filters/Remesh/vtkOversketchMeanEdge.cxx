@@ -1,6 +1,5 @@
 #include "vtkOversketchMeanEdge.h"
 
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 

@@ -2,7 +2,6 @@
 
 #include "Remesh/refine_between.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"

@@ -4,9 +4,7 @@
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 

@@ -1,7 +1,7 @@
 #include "vtkOversketchDistanceField.h"
 
 #include "Shading/fields.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"

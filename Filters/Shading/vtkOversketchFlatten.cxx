@@ -1,7 +1,7 @@
 #include "vtkOversketchFlatten.h"
 
 #include "Shading/flatten.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkCellArray.h"

@@ -4,7 +4,7 @@
 
 #include "Shading/layer_list.h"
 #include "Shading/texels.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 #include "vtkOversketchSharedMesh.h"
 

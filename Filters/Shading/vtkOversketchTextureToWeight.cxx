@@ -3,7 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Shading/texels.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"

@@ -4,7 +4,6 @@
 
 #include "Intersection/crossing_faces.h"
 #include "Stellar/displace.h"
-#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkObjectFactory.h"

@@ -3,7 +3,6 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Stellar/simplify.h"
-#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformationVector.h"

@@ -4,7 +4,6 @@
 
 #include "Stellar/refine.h"
 #include "Stellar/smooth.h"
-#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 

@@ -6,7 +6,6 @@
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
 #include "Stellar/snap_foot.h"
-#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 

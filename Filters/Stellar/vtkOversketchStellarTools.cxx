@@ -1,7 +1,7 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "Stellar/leaves.h"
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchStellarRegister.h"
 
 #include "vtkCellArray.h"
@@ -473,6 +473,51 @@ double LengthOf(double value, double share, const Forest& forest, const char* na
 {
   RequireFinite(value, name);
   return value < 0.0 ? share * forest.diagonal() : value;
+}
+
+std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest)
+{
+  vtkCellData* cells = mesh->GetCellData();
+  if (!cells->GetArray("Chart"))
+  {
+    return {};
+  }
+  const std::vector<int> charts = WholeNumbers(
+    RequireArray(cells, "Chart", 1, mesh->GetNumberOfCells(), "mesh", "one chart number per triangle"));
+  const std::vector<int> roots = WholeNumbers(
+    RequireArray(cells, "StellarRoot", 1, mesh->GetNumberOfCells(), "mesh", "the steps carry it"));
+  std::vector<int> parts(static_cast<std::size_t>(forest.rootCount), 0);
+  for (std::size_t f = charts.size(); f-- > 0;)
+  {
+    parts[roots[f]] = charts[f];
+  }
+  return parts;
+}
+
+MeshKey PartsKey(vtkPolyData* mesh)
+{
+  return MeshKey(mesh, { mesh->GetCellData()->GetArray("Chart") });
+}
+
+namespace
+{
+
+Register<Raised>& TheRaised()
+{
+  static Register<Raised> instance;
+  return instance;
+}
+
+} // namespace
+
+void AddRaised(vtkPolyData* mesh, const std::shared_ptr<const Raised>& raised)
+{
+  TheRaised().Add(StellarKey(mesh), raised);
+}
+
+std::shared_ptr<const Raised> RaisedOf(vtkPolyData* mesh)
+{
+  return TheRaised().Find(StellarKey(mesh));
 }
 
 } // namespace oversketch

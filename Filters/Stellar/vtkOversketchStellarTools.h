@@ -2,6 +2,7 @@
 #ifndef vtkOversketchStellarTools_h
 #define vtkOversketchStellarTools_h
 
+#include "Stellar/displace.h"
 #include "Stellar/forest.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -132,6 +133,30 @@ private:
   StellarCarry Arrays;
   bool Turns = false; // to be found where there are normals
 };
+
+// The chart of each root by cell array Chart, one whole number per triangle (see vtkOversketchRemesh); empty
+// where the mesh has none. A root that lies in several, as over a simplified base, has that of its first
+// cell. Throws Error(BadMesh) naming a number that is none.
+std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest);
+
+// What PartsOf reads of a mesh beside its 4-8 arrays.
+MeshKey PartsKey(vtkPolyData* mesh);
+
+// What a displacement knew of its mesh, for the simplification that follows it.
+struct Raised
+{
+  std::shared_ptr<const Forest> before;
+  std::shared_ptr<const CurvesReached> reached;
+  MeshKey curves; // WholeKey of them
+  double radius;
+  CurveDistance distance;
+  bool connectedOnly;
+};
+
+// Keeps it, as long as somebody holds it, with the mesh that it was raised to; callable from any thread.
+void AddRaised(vtkPolyData* mesh, const std::shared_ptr<const Raised>& raised);
+// Null where it is not known.
+std::shared_ptr<const Raised> RaisedOf(vtkPolyData* mesh);
 
 } // namespace oversketch
 #endif
