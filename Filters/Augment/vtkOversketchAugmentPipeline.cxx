@@ -487,9 +487,8 @@ void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> parts, numbers;
-  parts->SetName("Part");
-  numbers->SetName("CurveId");
+  const auto parts = NewArray<vtkIntArray>("Part");
+  const auto numbers = NewArray<vtkIntArray>("CurveId");
   const FeatureCurves read = CurvesOf(curves), sketches = sketch ? CurvesOf(sketch) : FeatureCurves();
   for (std::size_t c = 0; c < read.size(); ++c)
   {

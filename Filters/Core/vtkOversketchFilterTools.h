@@ -10,6 +10,7 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"
+#include "vtkOversketchArrays.h"
 
 #include "vtkType.h"
 

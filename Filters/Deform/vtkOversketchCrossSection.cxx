@@ -126,15 +126,6 @@ std::vector<double> SidesOf(vtkPolyData* mesh, const std::vector<Binding>& place
   return beside;
 }
 
-vtkSmartPointer<vtkDoubleArray> ArrayOf(const char* name, const std::vector<double>& values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
 void WriteLine(const std::vector<Vector3>& line,
   const std::vector<double>& t,
   const std::vector<double>& beside,
@@ -161,8 +152,8 @@ void WriteLine(const std::vector<Vector3>& line,
   lines->SetData(ends, ids);
   output->SetPoints(points);
   output->SetLines(lines);
-  output->GetPointData()->AddArray(ArrayOf("CurveT", t));
-  output->GetPointData()->AddArray(ArrayOf("SideDistance", beside));
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("CurveT", t));
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("SideDistance", beside));
 }
 
 void WriteSection(const Section& section, const std::vector<double>& beside, vtkPolyData* output)

@@ -8,7 +8,6 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -110,10 +109,7 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
 
 void WriteMatrix(vtkFieldData* data, const char* name, const Matrix4& matrix)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(16);
-  array->SetNumberOfTuples(1);
+  const auto array = NewArray<vtkDoubleArray>(name, 16, 1);
   for (int i = 0; i < 16; ++i)
   {
     array->SetComponent(0, i, matrix(i / 4, i % 4));

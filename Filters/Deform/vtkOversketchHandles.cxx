@@ -46,10 +46,9 @@ void Write(const std::vector<PlacedHandle>& handles, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkDoubleArray> places, matrices, frames;
-  places->SetName("CurveT");
-  matrices->SetName("Matrix");
-  frames->SetName("Frame");
+  const auto places = NewArray<vtkDoubleArray>("CurveT");
+  const auto matrices = NewArray<vtkDoubleArray>("Matrix");
+  const auto frames = NewArray<vtkDoubleArray>("Frame");
   for (vtkDoubleArray* array : { matrices.Get(), frames.Get() })
   {
     array->SetNumberOfComponents(16);

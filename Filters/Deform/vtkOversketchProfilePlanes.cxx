@@ -55,11 +55,8 @@ void WriteSquares(const CurveFrame& frame, double halfSize, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> squares;
-  vtkNew<vtkIntArray> planes;
-  vtkNew<vtkDoubleArray> normals;
-  planes->SetName("Plane");
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  const auto planes = NewArray<vtkIntArray>("Plane");
+  const auto normals = NewArray<vtkDoubleArray>("Normals", 3);
   for (int k = 0; k < 3; ++k)
   {
     const Vector3 u = halfSize * axes[(k + 1) % 3], v = axes[k].cross(u);
@@ -104,21 +101,15 @@ void vtkOversketchProfilePlanes::Execute(vtkInformationVector** inputs, vtkInfor
         this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
       WriteSquares(frame, mesh->GetLength(), result);
       WriteMatrix(result->GetFieldData(), "Frame", matrixOf(frame));
-      vtkNew<vtkDoubleArray> place, weights;
-      place->SetName("PlaneT");
-      place->InsertNextValue(this->T);
-      vtkNew<vtkIdTypeArray> vertices;
-      vertices->SetName("MeshVertices");
-      vertices->SetNumberOfComponents(3);
-      weights->SetName("MeshWeights");
-      weights->SetNumberOfComponents(3);
+      const auto vertices = NewArray<vtkIdTypeArray>("MeshVertices", 3);
+      const auto weights = NewArray<vtkDoubleArray>("MeshWeights", 3);
       const Binding binding = reference.PlaceAt(this->T);
       weights->InsertNextTuple(binding.weights.data());
       for (const int v : binding.vertices)
       {
         vertices->InsertNextValue(v);
       }
-      result->GetFieldData()->AddArray(place);
+      result->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("PlaneT", this->T));
       result->GetFieldData()->AddArray(vertices);
       result->GetFieldData()->AddArray(weights);
     });

@@ -68,8 +68,7 @@ void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
   const std::pair<const char*, int> values[] = { { "StrokeId", 0 }, { "Closed", closed ? 1 : 0 } };
   for (const auto& [name, value] : values)
   {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
+    const auto array = NewArray<vtkIntArray>(name);
     for (vtkIdType i = 0; i < runs; ++i)
     {
       array->InsertNextValue(value);
@@ -138,8 +137,7 @@ void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context
   const vtkIdType count = curve->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkIdTypeArray> triangles;
-  triangles->SetName("MeshCell");
+  const auto triangles = NewArray<vtkIdTypeArray>("MeshCell");
   std::vector<Binding> bindings;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -408,8 +406,7 @@ void FollowSources(vtkPolyData* before, vtkPolyData* redrawn)
   vtkDataArray* places = before->GetPointData()->GetArray("CurveT");
   vtkDataArray* sources = before->GetPointData()->GetArray("SourceT");
   vtkDataArray* own = redrawn->GetPointData()->GetArray("SourceT");
-  vtkNew<vtkDoubleArray> followed;
-  followed->SetName("SourceT");
+  const auto followed = NewArray<vtkDoubleArray>("SourceT");
   vtkIdType k = 0; // both rise
   for (vtkIdType i = 0; i < own->GetNumberOfTuples(); ++i)
   {

@@ -16,7 +16,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -76,16 +75,8 @@ vtkSmartPointer<vtkImageData> imageOf(const Frame& frame,
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   WriteFrame(frame, image);
-  const auto add = [&](const char* name, const std::vector<float>& values)
-  {
-    vtkNew<vtkFloatArray> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    image->GetPointData()->AddArray(array);
-  };
-  add("LocalMaxSmooth", thickness);
-  add("Ratio", ratio);
+  image->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("LocalMaxSmooth", thickness));
+  image->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Ratio", ratio));
   image->GetPointData()->SetActiveScalars("LocalMaxSmooth");
   return image;
 }

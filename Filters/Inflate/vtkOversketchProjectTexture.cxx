@@ -78,8 +78,7 @@ std::vector<char> separateBack(vtkPolyData* mesh, vtkPolyData* result)
   result->GetPointData()->CopyAllOn();
   CopyElements(mesh->GetPointData(), sources, result->GetPointData());
   vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIntArray> parts;
-  parts->SetName("PartId");
+  const auto parts = NewArray<vtkIntArray>("PartId");
   for (vtkIdType face = 0; face < faces; ++face)
   {
     mesh->GetPolys()->GetCellAtId(face, ids);
@@ -134,10 +133,7 @@ void vtkOversketchProjectTexture::Execute(vtkInformationVector** inputs, vtkInfo
       }
       const vtkIdType count = result->GetNumberOfPoints();
       back.resize(static_cast<std::size_t>(count), 0);
-      vtkNew<vtkDoubleArray> coordinates;
-      coordinates->SetName("TCoords");
-      coordinates->SetNumberOfComponents(2);
-      coordinates->SetNumberOfTuples(count);
+      const auto coordinates = NewArray<vtkDoubleArray>("TCoords", 2, count);
       for (vtkIdType i = 0; i < count; ++i)
       {
         const Vector2 at(result->GetPoint(i));

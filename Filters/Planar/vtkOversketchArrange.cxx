@@ -33,14 +33,10 @@ namespace
 void writeArranged(const std::vector<ArrangedCurve>& arranged, const Canvas& canvas, vtkPolyData* output)
 {
   std::vector<CanvasStroke> curves;
-  vtkNew<vtkUnsignedCharArray> nodes;
-  nodes->SetName("Node");
-  vtkNew<vtkIntArray> strokes;
-  strokes->SetName("StrokeId");
+  const auto nodes = NewArray<vtkUnsignedCharArray>("Node");
   for (const ArrangedCurve& one : arranged)
   {
     curves.push_back({ one.curve.points, one.curve.closed });
-    strokes->InsertNextValue(one.stroke);
     for (std::size_t k = 0; k < one.curve.points.size(); ++k)
     {
       nodes->InsertNextValue(one.curve.isNode(static_cast<int>(k)) ? 1 : 0);
@@ -48,7 +44,7 @@ void writeArranged(const std::vector<ArrangedCurve>& arranged, const Canvas& can
   }
   WriteCurves(curves, canvas, output);
   output->GetPointData()->AddArray(nodes);
-  output->GetCellData()->AddArray(strokes);
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("StrokeId", arranged, &ArrangedCurve::stroke));
 }
 
 // The cell arrays of the strokes that curves are parts of; `strokes`: their cells.

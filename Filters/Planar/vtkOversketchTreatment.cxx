@@ -5,7 +5,6 @@
 #include "vtkCellData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -106,13 +105,7 @@ void vtkOversketchTreatment::Execute(vtkInformationVector** inputs, vtkInformati
   treat(this->Tunnels, "Tunnels", Treatment::Tunnel);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(curves);
-  vtkNew<vtkIntArray> array;
-  array->SetName("Treatment");
-  for (const Treatment treatment : treatments)
-  {
-    array->InsertNextValue(static_cast<int>(treatment));
-  }
-  output->GetCellData()->AddArray(array);
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Treatment", treatments));
 }
 
 void vtkOversketchTreatment::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,15 +35,6 @@ struct vtkOversketchEnclose::Cache
 namespace
 {
 
-vtkSmartPointer<vtkUnsignedCharArray> labelsFrom(const std::vector<char>& labels)
-{
-  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetName("EditRegion");
-  array->SetNumberOfValues(static_cast<vtkIdType>(labels.size()));
-  std::copy(labels.begin(), labels.end(), array->GetPointer(0));
-  return array;
-}
-
 void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
 {
   vtkNew<vtkPoints> points;
@@ -54,11 +45,7 @@ void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
   patch->GetCellData()->CopyAllOn();
   CopyElements(mesh->GetPointData(), extract.vertices, patch->GetPointData());
   CopyElements(mesh->GetCellData(), extract.triangles, patch->GetCellData());
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("VertexId");
-  ids->SetNumberOfValues(static_cast<vtkIdType>(extract.vertices.size()));
-  std::copy(extract.vertices.begin(), extract.vertices.end(), ids->GetPointer(0));
-  patch->GetPointData()->AddArray(ids);
+  patch->GetPointData()->AddArray(ArrayOf<vtkIdTypeArray>("VertexId", extract.vertices));
   patch->GetFieldData()->PassData(mesh->GetFieldData());
 }
 
@@ -94,8 +81,8 @@ void vtkOversketchEnclose::Execute(vtkInformationVector** inputs, vtkInformation
       ReadChain(boundary, mesh.vertexCount(), "boundary curve").Vertices,
       ContextOf(this));
     cache.Patch = extractFaces(mesh, enclosed.faces, 1);
-    cache.Faces = labelsFrom(enclosed.faces);
-    cache.Vertices = labelsFrom(enclosed.vertices);
+    cache.Faces = ArrayOf<vtkUnsignedCharArray>("EditRegion", enclosed.faces);
+    cache.Vertices = ArrayOf<vtkUnsignedCharArray>("EditRegion", enclosed.vertices);
     cache.Key = key;
   }
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);

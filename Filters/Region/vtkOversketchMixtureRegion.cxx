@@ -205,19 +205,6 @@ double NearOf(const Section& section, double length, double diameter)
   return std::max({ near, 1.25 * section.movement, beside });
 }
 
-template <typename Array, typename Values>
-vtkSmartPointer<vtkDataArray> ArrayOf(const char* name, const Values& values)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
-  }
-  return array;
-}
-
 std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
 {
   std::vector<double> picked;

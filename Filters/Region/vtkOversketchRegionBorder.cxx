@@ -59,11 +59,7 @@ void vtkOversketchRegionBorder::Execute(vtkInformationVector** inputs, vtkInform
           ? "The region is empty; draw a stroke on a part of the model with more vertices."
           : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
     }
-    auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-    array->SetName("Region");
-    array->SetNumberOfValues(count);
-    std::copy(smooth.begin(), smooth.end(), array->GetPointer(0));
-    cache.Region = array;
+    cache.Region = ArrayOf<vtkUnsignedCharArray>("Region", smooth);
     cache.Key = key;
     cache.Rings = rings;
   }

@@ -74,13 +74,9 @@ void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInfor
     this->UsedBackend(result.used);
     this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
     this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
-    auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetName("ShapeDiameter");
-    array->SetNumberOfTuples(input->GetNumberOfPoints());
-    std::copy(result.diameter.begin(), result.diameter.end(), array->GetPointer(0));
     cache.Key = key;
     cache.Values = values;
-    cache.Array = array;
+    cache.Array = ArrayOf<vtkDoubleArray>("ShapeDiameter", result.diameter);
   }
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(cache.Array);

@@ -203,10 +203,8 @@ void writeCurves(const std::vector<MeshCurve>& curves,
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
-  vtkNew<vtkDoubleArray> parameters;
-  parameters->SetName("CurveT");
+  const auto vertices = NewArray<vtkIdTypeArray>("VertexId");
+  const auto parameters = NewArray<vtkDoubleArray>("CurveT");
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
   to->CopyAllocate(from);

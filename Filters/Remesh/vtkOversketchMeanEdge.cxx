@@ -6,7 +6,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -48,10 +47,7 @@ void vtkOversketchMeanEdge::Execute(vtkInformationVector** inputs, vtkInformatio
     FieldValue(input, meanName, "mesh", "remove it, and it is made anew");
     return;
   }
-  vtkNew<vtkDoubleArray> mean;
-  mean->SetName(meanName);
-  mean->InsertNextValue(meanEdgeOf(*SharedMesh(input)));
-  output->GetFieldData()->AddArray(mean);
+  output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(meanName, meanEdgeOf(*SharedMesh(input))));
 }
 
 void vtkOversketchMeanEdge::PrintSelf(ostream& os, vtkIndent indent)

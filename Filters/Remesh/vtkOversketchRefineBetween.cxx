@@ -65,14 +65,7 @@ void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* outpu
   const auto mixed = [&](vtkIdType point) { return refined.origins[static_cast<std::size_t>(point)]; };
   WriteCarried(
     refined.mesh, { refined.pointSources, mixed, "Region" }, refined.triangleSources, input, output);
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("EdgeLength");
-  lengths->SetNumberOfTuples(static_cast<vtkIdType>(refined.sizes.size()));
-  for (std::size_t v = 0; v < refined.sizes.size(); ++v)
-  {
-    lengths->SetValue(static_cast<vtkIdType>(v), refined.sizes[v]);
-  }
-  output->GetPointData()->AddArray(lengths);
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("EdgeLength", refined.sizes));
 }
 
 } // namespace

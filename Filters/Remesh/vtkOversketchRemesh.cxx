@@ -69,16 +69,6 @@ namespace
 
 const char* const handlesRemedy = "take them from vtkOversketchTargets";
 
-template <typename Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
-
 // A point is a mix of the corners of the triangle that it lies in.
 CarriedPoints PointsOf(const RemeshResult& result, vtkCellArray* triangles)
 {
@@ -215,13 +205,11 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   this->KeepMesh(input, self->SourcesOfAll);
   if (self->Stage == Stretch && guide > 0.0)
   {
-    this->GuideLength = NewArray<vtkDoubleArray>("GuideLength", 1, 1);
-    this->GuideLength->SetValue(0, guide);
+    this->GuideLength = OneValue<vtkDoubleArray>("GuideLength", guide);
   }
   if (self->Stage == Stretch && self->KeepSmooth)
   {
-    const auto lengths = NewArray<vtkDoubleArray>("EdgeLength", 1, mesh.vertexCount());
-    std::copy(own.begin(), own.end(), lengths->GetPointer(0));
+    const auto lengths = ArrayOf<vtkDoubleArray>("EdgeLength", own);
     this->EdgeLength = PointsOf(this->Result, input->GetPolys()).Array(lengths, false);
   }
   this->Key = question.Key;

@@ -38,10 +38,7 @@ namespace
 
 vtkSmartPointer<vtkDoubleArray> coordinateArray(vtkIdType points)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName("DiscCoords");
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(points);
+  auto array = NewArray<vtkDoubleArray>("DiscCoords", 2, points);
   array->Fill(-1.0);
   return array;
 }
@@ -53,8 +50,7 @@ vtkSmartPointer<vtkPolyData> discOf(const InsidePatch& inside,
   auto disc = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("VertexId");
+  const auto ids = NewArray<vtkIdTypeArray>("VertexId");
   const auto coordinates = coordinateArray(static_cast<vtkIdType>(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i)
   {

@@ -104,8 +104,7 @@ vtkSmartPointer<vtkImageData> maskOf(const std::vector<Polyline>& outlines, int 
 {
   auto mask = vtkSmartPointer<vtkImageData>::New();
   LayOnDisc(mask, size);
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName("Area");
+  const auto array = NewArray<vtkUnsignedCharArray>("Area");
   const int areas = static_cast<int>(outlines.size());
   array->SetNumberOfComponents(areas);
   array->SetNumberOfTuples(mask->GetNumberOfPoints());

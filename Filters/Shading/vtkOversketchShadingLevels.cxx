@@ -13,7 +13,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -272,15 +271,11 @@ void vtkOversketchShadingLevels::Paint(vtkIdType points,
 {
   const auto falloff =
     this->AsPublished || this->Falloff == LINEAR ? oversketch::Falloff::Linear : oversketch::Falloff::Smooth;
-  const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
-  weights->SetName("EditWeight");
-  weights->SetNumberOfTuples(points);
+  const auto weights = NewArray<vtkDoubleArray>("EditWeight", 1, points);
   weights->FillValue(0.0);
-  vtkNew<vtkFloatArray> texels;
-  texels->SetName("Weight");
-  vtkNew<vtkUnsignedCharArray> greys;
-  greys->SetName("Grey");
-  texels->SetNumberOfValues(static_cast<vtkIdType>(this->Resolution) * this->Resolution);
+  const auto texels =
+    NewArray<vtkFloatArray>("Weight", 1, static_cast<vtkIdType>(this->Resolution) * this->Resolution);
+  const auto greys = NewArray<vtkUnsignedCharArray>("Grey");
   texels->FillValue(0.0f);
   greys->SetNumberOfValues(texels->GetNumberOfValues());
   greys->FillValue(0);

@@ -128,9 +128,7 @@ void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInf
     cache.Weights = nullptr; // so that nothing stale is left when making fails
     const std::vector<char> labels = ReadEditRegion(mesh);
     const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
-    const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
-    weights->SetName("EditWeight");
-    weights->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    const auto weights = NewArray<vtkDoubleArray>("EditWeight", 1, mesh->GetNumberOfPoints());
     for (std::size_t v = 0; v < labels.size(); ++v)
     {
       weights->SetValue(

@@ -263,11 +263,8 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       this->NumberOfCandidates = match.rivals;
       const Source& source = sources[match.candidate];
       Curve section;
-      vtkNew<vtkDoubleArray> displays, offsets;
-      displays->SetName("Display");
-      displays->SetNumberOfComponents(2);
-      offsets->SetName("Offset");
-      offsets->SetNumberOfComponents(2);
+      const auto displays = NewArray<vtkDoubleArray>("Display", 2);
+      const auto offsets = NewArray<vtkDoubleArray>("Offset", 2);
       for (const Blend& place : match.places)
       {
         section.points.push_back(
@@ -280,22 +277,13 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       WriteCurves({ section }, view, output);
       output->GetPointData()->AddArray(displays);
       output->GetPointData()->AddArray(offsets);
-      vtkNew<vtkIntArray> id;
-      id->SetName("CurveId");
-      id->InsertNextValue(source.CurveId);
-      output->GetCellData()->AddArray(id);
+      output->GetCellData()->AddArray(OneValue<vtkIntArray>("CurveId", source.CurveId));
       for (const auto& [name, value] :
         { std::pair("Distance", match.distance), std::pair("Score", match.score) })
       {
-        vtkNew<vtkDoubleArray> figure;
-        figure->SetName(name);
-        figure->InsertNextValue(value);
-        output->GetFieldData()->AddArray(figure);
+        output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(name, value));
       }
-      vtkNew<vtkIntArray> connection;
-      connection->SetName("Candidate");
-      connection->InsertNextValue(source.Connection);
-      output->GetFieldData()->AddArray(connection);
+      output->GetFieldData()->AddArray(OneValue<vtkIntArray>("Candidate", source.Connection));
     });
 }
 

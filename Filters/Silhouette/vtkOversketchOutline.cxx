@@ -9,7 +9,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -203,16 +202,11 @@ void vtkOversketchOutline::Execute(vtkInformationVector** inputs, vtkInformation
 
   const double defaultDepth = SomeDepth(mesh, view);
   std::vector<Curve> curves;
-  vtkNew<vtkDoubleArray> displays, offsets;
-  displays->SetName("Display");
-  displays->SetNumberOfComponents(2);
-  offsets->SetName("Offset");
-  offsets->SetNumberOfComponents(2);
-  vtkNew<vtkIntArray> ids;
-  ids->SetName("CurveId");
-  vtkNew<vtkUnsignedCharArray> flags, holes;
-  flags->SetName("Visible");
-  holes->SetName("Hole");
+  const auto displays = NewArray<vtkDoubleArray>("Display", 2);
+  const auto offsets = NewArray<vtkDoubleArray>("Offset", 2);
+  const auto ids = NewArray<vtkIntArray>("CurveId");
+  const auto flags = NewArray<vtkUnsignedCharArray>("Visible");
+  const auto holes = NewArray<vtkUnsignedCharArray>("Hole");
   for (std::size_t l = 0; l < outlines.size(); ++l)
   {
     curves.push_back(PlaceLoop(outlines[l], cache.Loops[l].closed, set.Curves, *data, view, defaultDepth));

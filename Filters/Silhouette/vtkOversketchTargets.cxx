@@ -122,15 +122,11 @@ void vtkOversketchTargets::Execute(vtkInformationVector** inputs, vtkInformation
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkIdTypeArray> handleIds;
-  vtkNew<vtkDoubleArray> targets, unmerged, relative, ratios;
-  handleIds->SetName("HandleId");
-  targets->SetName("Target");
-  targets->SetNumberOfComponents(3);
-  unmerged->SetName("UnmergedTarget");
-  unmerged->SetNumberOfComponents(3);
-  relative->SetName("RelativePosition");
-  ratios->SetName("MergeRatio");
+  const auto handleIds = NewArray<vtkIdTypeArray>("HandleId");
+  const auto targets = NewArray<vtkDoubleArray>("Target", 3);
+  const auto unmerged = NewArray<vtkDoubleArray>("UnmergedTarget", 3);
+  const auto relative = NewArray<vtkDoubleArray>("RelativePosition");
+  const auto ratios = NewArray<vtkDoubleArray>("MergeRatio");
   std::vector<Binding> bindings;
   std::vector<Vector3> present, wanted;
   for (const Handle& handle : handles)
@@ -158,10 +154,7 @@ void vtkOversketchTargets::Execute(vtkInformationVector** inputs, vtkInformation
   for (const auto& [name, value] :
     { std::pair("SectionLength", curveLength(present)), std::pair("TargetLength", curveLength(wanted)) })
   {
-    vtkNew<vtkDoubleArray> length;
-    length->SetName(name);
-    length->InsertNextValue(value);
-    output->GetFieldData()->AddArray(length);
+    output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(name, value));
   }
 }
 

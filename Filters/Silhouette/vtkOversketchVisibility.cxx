@@ -9,7 +9,6 @@
 #include "vtkCellData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -60,19 +59,15 @@ void vtkOversketchVisibility::Execute(vtkInformationVector** inputs, vtkInformat
       }
       this->UsedBackend(found.used);
       std::vector<Curve> parts;
-      vtkNew<vtkIntArray> curveIds;
-      curveIds->SetName("CurveId");
-      vtkNew<vtkUnsignedCharArray> visible;
-      visible->SetName("Visible");
       for (const VisibilitySegment& segment : found.segments)
       {
         parts.push_back(segment.curve);
-        curveIds->InsertNextValue(segment.source);
-        visible->InsertNextValue(segment.visible ? 1 : 0);
       }
       WriteCurves(parts, view, result);
-      result->GetCellData()->AddArray(curveIds);
-      result->GetCellData()->AddArray(visible);
+      result->GetCellData()->AddArray(
+        ArrayOf<vtkIntArray>("CurveId", found.segments, &VisibilitySegment::source));
+      result->GetCellData()->AddArray(
+        ArrayOf<vtkUnsignedCharArray>("Visible", found.segments, &VisibilitySegment::visible));
     });
 }
 

@@ -165,25 +165,6 @@ Register<Forest>& TheRegister()
   return instance;
 }
 
-// An array whose values are for the caller to fill.
-template <class Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, std::size_t tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  return array;
-}
-
-template <class Array, class Value>
-vtkSmartPointer<Array> OneValue(const char* name, Value value)
-{
-  auto array = NewArray<Array>(name, 1, 1);
-  array->SetValue(0, value);
-  return array;
-}
-
 // Calls fill(i) for all numbers below the count, in threads.
 template <class Fill>
 void FillAll(std::size_t count, const Fill& fill)

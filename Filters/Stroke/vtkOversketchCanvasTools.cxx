@@ -133,9 +133,7 @@ Canvas CanvasOf(vtkPolyData* curves)
 
 void WriteCanvas(const Canvas& canvas, vtkPolyData* curves)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Canvas");
-  array->SetNumberOfComponents(4);
+  const auto array = NewArray<vtkDoubleArray>("Canvas", 4);
   const double values[4] = { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] };
   array->InsertNextTuple(values);
   curves->GetFieldData()->AddArray(array);
@@ -178,11 +176,9 @@ void WriteCurves(const std::vector<CanvasStroke>& curves, const Canvas& canvas, 
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkDoubleArray> arcs;
-  arcs->SetName("ArcLength");
-  vtkNew<vtkIntArray> ids, closed;
-  ids->SetName("StrokeId");
-  closed->SetName("Closed");
+  const auto arcs = NewArray<vtkDoubleArray>("ArcLength");
+  const auto ids = NewArray<vtkIntArray>("StrokeId");
+  const auto closed = NewArray<vtkIntArray>("Closed");
   for (const CanvasStroke& curve : curves)
   {
     const std::vector<double> lengths = arcLengths(curve.points);

@@ -317,8 +317,7 @@ void vtkOversketchMagneticSnap::Execute(vtkInformationVector** inputs, vtkInform
       Cache::Answers answers;
       std::vector<CanvasStroke> written;
       std::vector<std::vector<Blend>> places;
-      vtkNew<vtkUnsignedCharArray> flags;
-      flags->SetName("Snapped");
+      const auto flags = NewArray<vtkUnsignedCharArray>("Snapped");
       const double share = 1.0 / static_cast<double>(search.Lines.size());
       for (int i = 0; i < static_cast<int>(search.Lines.size()); ++i)
       {

@@ -173,8 +173,7 @@ void vtkOversketchNurbsFit::Execute(vtkInformationVector** inputs, vtkInformatio
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkDoubleArray> parameters;
-  parameters->SetName("CurveT");
+  const auto parameters = NewArray<vtkDoubleArray>("CurveT");
   SplineArrays splines(surface != nullptr);
   vtkPointData* from = input->GetPointData();
   vtkPointData* to = output->GetPointData();

@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -81,10 +80,8 @@ void writeParameters(const std::vector<StrokeCurve>& curves,
   vtkDataArray* parameters,
   vtkPolyData* output)
 {
-  vtkNew<vtkDoubleArray> along;
-  along->SetName("CurveT");
-  vtkNew<vtkIntArray> closed;
-  closed->SetName("Closed");
+  const auto along = NewArray<vtkDoubleArray>("CurveT");
+  const auto closed = NewArray<vtkIntArray>("Closed");
   for (const StrokeCurve& curve : curves)
   {
     const DrawnLine& line = lines[static_cast<std::size_t>(curve.Stroke)];

@@ -138,8 +138,7 @@ void writeCurve(const Polyline& curve, bool closed, vtkPolyData* output)
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  vtkNew<vtkDoubleArray> shares;
-  shares->SetName("CurveT");
+  const auto shares = NewArray<vtkDoubleArray>("CurveT");
   const std::vector<double> lengths = arcLengths(curve, closed);
   for (std::size_t i = 0; i < curve.size(); ++i)
   {
@@ -225,10 +224,8 @@ void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformatio
       ContextOf(this).checkpoint(0.9);
 
       writeCurve(drawn.points, old.Closed, result);
-      vtkNew<vtkDoubleArray> sources;
-      sources->SetName("SourceT");
-      vtkNew<vtkIdTypeArray> kept;
-      kept->SetName("VertexId");
+      const auto sources = NewArray<vtkDoubleArray>("SourceT");
+      const auto kept = NewArray<vtkIdTypeArray>("VertexId");
       for (const double share : sourcesOf(drawn.origins, old.Samples, old.Closed))
       {
         sources->InsertNextValue(share);

@@ -77,8 +77,7 @@ void writeSketch(const std::vector<Vector3>& sketch, vtkPolyData* curve, vtkPoly
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> arcs;
-  arcs->SetName("ArcLength");
+  const auto arcs = NewArray<vtkDoubleArray>("ArcLength");
   double arc = 0.0;
   for (std::size_t k = 0; k < sketch.size(); ++k)
   {
@@ -171,10 +170,7 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
         rules,
         ContextOf(this, 0.5, 1.0));
       WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, result);
-      vtkNew<vtkDoubleArray> hidden;
-      hidden->SetName("Hidden");
-      hidden->InsertNextValue(sketch.hidden);
-      result->GetFieldData()->AddArray(hidden);
+      result->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("Hidden", sketch.hidden));
       cache.Sketch->Initialize();
       writeSketch(sketch.sketch, result, cache.Sketch);
     });
