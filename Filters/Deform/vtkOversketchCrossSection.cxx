@@ -29,26 +29,22 @@ using namespace oversketch;
 struct vtkOversketchCrossSection::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::optional<Sectioner> Cutter;      // of it and the boundary, which stay as the plane slides
-  StepKey CutterKey;
+  KeptValue<Sectioner> Cutter;          // of it and the boundary, which stay as the plane slides
   ProfileFit Fit;
-  KeptOutput Profile;
-  vtkNew<vtkPolyData> Section;
+  KeptOutput Kept;
 
   const Sectioner& CutterOf(vtkPolyData* mesh, vtkPolyData* boundary)
   {
     const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(boundary) }, {});
-    if (!this->Cutter || this->CutterKey != key)
-    {
-      this->Cutter.reset(); // it points into the mesh
-      this->Data = SharedMesh(mesh);
-      const Mesh& surface = this->Data->Surface();
-      this->Cutter.emplace(surface,
-        this->Data->Neighbours(),
-        VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve")));
-      this->CutterKey = key;
-    }
-    return *this->Cutter;
+    return this->Cutter.Provide(key,
+      [&]
+      {
+        this->Data = SharedMesh(mesh); // which the cutter points into
+        const Mesh& surface = this->Data->Surface();
+        return Sectioner(surface,
+          this->Data->Neighbours(),
+          VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve")));
+      });
   }
 };
 
@@ -224,12 +220,11 @@ void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInform
       this->Right[0],
       this->Right[1],
       this->Right[2] });
-  cache.Profile.Provide(key,
-    vtkPolyData::GetData(outputs, 0),
-    [&](vtkPolyData* result)
+  cache.Kept.Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1) },
+    [&](const KeptOutput::Outputs& results)
     {
       ++this->SectionCount;
-      cache.Section->Initialize();
       const Sectioner& cutter = cache.CutterOf(mesh, boundary);
       const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
       if (!planes->GetFieldData()->GetArray("PlaneT"))
@@ -266,10 +261,9 @@ void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInform
       const std::vector<double> beside = SidesOf(mesh, section.places);
       const FlatProfile profile =
         cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
-      WriteProfile(profile, planes, result);
-      WriteSection(section, beside, cache.Section);
+      WriteProfile(profile, planes, results[0]);
+      WriteSection(section, beside, results[1]);
     });
-  vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Section);
 }
 
 void vtkOversketchCrossSection::PrintSelf(ostream& os, vtkIndent indent)

@@ -25,21 +25,18 @@ using namespace oversketch;
 struct vtkOversketchProfilePlanes::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::optional<CurveOnMesh> Reference; // as the plane slides it stays
-  StepKey ReferenceKey;
+  KeptValue<CurveOnMesh> Reference;     // as the plane slides it stays
   KeptOutput Kept;
 
   const CurveOnMesh& CurveOf(vtkPolyData* mesh, vtkPolyData* curve)
   {
     const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) }, {});
-    if (!this->Reference || this->ReferenceKey != key)
-    {
-      this->Reference.reset(); // so that nothing stale is left when making it fails
-      this->Data = SharedMesh(mesh);
-      this->Reference.emplace(curve, *this->Data);
-      this->ReferenceKey = key;
-    }
-    return *this->Reference;
+    return this->Reference.Provide(key,
+      [&]
+      {
+        this->Data = SharedMesh(mesh);
+        return CurveOnMesh(curve, *this->Data);
+      });
   }
 };
 

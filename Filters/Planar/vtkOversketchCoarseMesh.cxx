@@ -21,7 +21,6 @@ using namespace oversketch;
 struct vtkOversketchCoarseMesh::Cache
 {
   KeptOutput Kept;
-  vtkNew<vtkPolyData> Edges;
 };
 
 vtkStandardNewMacro(vtkOversketchCoarseMesh);
@@ -67,15 +66,16 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
   vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* darts = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  Cache& cache = *this->Internals;
   std::vector<MeshKey> read{ PlanarKey(polylines) };
   if (darts)
   {
     read.emplace_back(darts);
   }
-  cache.Kept.Provide(StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
-    output,
-    [&](vtkPolyData* result)
+  vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
+  this->Internals->Kept.Provide(
+    StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
+    { output, edges },
+    [&](const KeptOutput::Outputs& results)
     {
       ++this->MeshCount;
       PlanarMesh mesh = triangulate(StrokeLinesOf(polylines), dartsOf(darts), ContextOf(this));
@@ -86,12 +86,9 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
                                                    : oversketch::TerminalRule::ThreeBoundaryVertices);
       }
       mesh = this->Relax ? relaxed(mesh) : mesh;
-      WritePlanarMesh(mesh, result);
-      cache.Edges->Initialize();
-      WriteStrokeEdges(mesh, result, cache.Edges);
+      WritePlanarMesh(mesh, results[0]);
+      WriteStrokeEdges(mesh, results[0], results[1]);
     });
-  vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-  edges->ShallowCopy(cache.Edges);
   output->GetFieldData()->PassData(polylines->GetFieldData());
   edges->GetFieldData()->PassData(polylines->GetFieldData());
 }

@@ -246,14 +246,7 @@ DistanceMaps DistanceMapsOf(vtkImageData* image)
 
 const DistanceMaps& KeptMaps::Of(vtkImageData* image)
 {
-  const StepKey key({ ImageKey(image) }, {});
-  if (this->Key != key)
-  {
-    this->Key = StepKey();
-    this->Maps = DistanceMapsOf(image);
-    this->Key = key;
-  }
-  return this->Maps;
+  return this->Maps.Provide(StepKey({ ImageKey(image) }, {}), [image] { return DistanceMapsOf(image); });
 }
 
 DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context)

@@ -18,7 +18,6 @@ using namespace oversketch;
 struct vtkOversketchTrimHoles::Cache
 {
   KeptOutput Kept;
-  vtkNew<vtkPolyData> Edges;
 };
 
 vtkStandardNewMacro(vtkOversketchTrimHoles);
@@ -50,18 +49,15 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     this->GetEdgesOutput()->ShallowCopy(edges);
     return;
   }
-  Cache& cache = *this->Internals;
-  cache.Kept.Provide(
+  this->Internals->Kept.Provide(
     StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
-    output,
-    [&](vtkPolyData* result)
+    { output, this->GetEdgesOutput() },
+    [&](const KeptOutput::Outputs& results)
     {
       const PlanarMesh left = withoutRegions(PlanarMeshOf(faces, edges), gone);
-      WritePlanarMesh(left, result);
-      cache.Edges->Initialize();
-      WriteStrokeEdges(left, result, cache.Edges);
+      WritePlanarMesh(left, results[0]);
+      WriteStrokeEdges(left, results[0], results[1]);
     });
-  this->GetEdgesOutput()->ShallowCopy(cache.Edges);
   output->GetFieldData()->PassData(faces->GetFieldData());
   this->GetEdgesOutput()->GetFieldData()->PassData(edges->GetFieldData());
 }

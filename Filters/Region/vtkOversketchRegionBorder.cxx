@@ -2,6 +2,7 @@
 
 #include "Region/border.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDataArray.h"
@@ -19,9 +20,7 @@ using namespace oversketch;
 struct vtkOversketchRegionBorder::Cache
 {
   std::shared_ptr<const MeshData> Data;
-  MeshKey Key;
-  int Rings = -1;
-  vtkSmartPointer<vtkUnsignedCharArray> Region;
+  KeptValue<vtkSmartPointer<vtkUnsignedCharArray>> Region;
 };
 
 vtkStandardNewMacro(vtkOversketchRegionBorder);
@@ -43,28 +42,25 @@ void vtkOversketchRegionBorder::Execute(vtkInformationVector** inputs, vtkInform
   const std::string remedy = "find the region with vtkOversketchMixtureRegion";
   vtkDataArray* region = RequireArray(input->GetPointData(), "Region", 1, count, "mesh", remedy);
   vtkDataArray* seeds = RequireArray(input->GetPointData(), "RegionSeed", 1, count, "mesh", remedy);
-  const MeshKey key(input, { region, seeds });
   const int rings = this->Confine ? this->Rings : 0;
-  if (!cache.Region || cache.Key != key || cache.Rings != rings)
-  {
-    cache.Region = nullptr;
-    ++this->SmoothingCount;
-    const std::vector<char> smooth =
-      smoothBorder(cache.Data->Neighbours(), LabelsOf(seeds), LabelsOf(region), rings);
-    const auto selected = std::count(smooth.begin(), smooth.end(), 1);
-    if (selected == 0 || selected == count)
+  vtkDataArray* border = cache.Region.Provide(StepKey({ MeshKey(input, { region, seeds }) }, { 1.0 * rings }),
+    [&]
     {
-      throw Error(Failure::BadRegion,
-        selected == 0
-          ? "The region is empty; draw a stroke on a part of the model with more vertices."
-          : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
-    }
-    cache.Region = ArrayOf<vtkUnsignedCharArray>("Region", smooth);
-    cache.Key = key;
-    cache.Rings = rings;
-  }
+      ++this->SmoothingCount;
+      const std::vector<char> smooth =
+        smoothBorder(cache.Data->Neighbours(), LabelsOf(seeds), LabelsOf(region), rings);
+      const auto selected = std::count(smooth.begin(), smooth.end(), 1);
+      if (selected == 0 || selected == count)
+      {
+        throw Error(Failure::BadRegion,
+          selected == 0
+            ? "The region is empty; draw a stroke on a part of the model with more vertices."
+            : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
+      }
+      return ArrayOf<vtkUnsignedCharArray>("Region", smooth);
+    });
   output->ShallowCopy(input);
-  output->GetPointData()->AddArray(cache.Region);
+  output->GetPointData()->AddArray(border);
 }
 
 void vtkOversketchRegionBorder::PrintSelf(ostream& os, vtkIndent indent)

@@ -23,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <cmath>
 #include <list>
 #include <memory>
@@ -34,9 +33,7 @@ using namespace oversketch;
 // The last result.
 struct vtkOversketchInsertCurve::Cache
 {
-  StepKey Key;
-  std::array<vtkSmartPointer<vtkPolyData>, 3> Outputs; // null: nothing is kept
-  int Bridges = 0;
+  KeptOutput Kept;
 };
 
 namespace
@@ -261,7 +258,6 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
     return;
   }
   RequirePolygonsOnly(input); // the key does not see other cells
-  Cache& cache = *this->Internals;
   const StepKey key({ WholeKey(input), WholeKey(curves), stored ? WholeKey(stored) : MeshKey() },
     { this->Snap ? 1.0 : 0.0,
       this->EmbedSegments ? 1.0 : 0.0,
@@ -269,49 +265,38 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
       static_cast<double>(this->Gap),
       this->JoinRuns ? 1.0 : 0.0,
       this->Clean ? 1.0 : 0.0 });
-  if (!cache.Outputs[0] || cache.Key != key)
-  {
-    cache = Cache();
-    ++this->InsertionCount;
-    const std::shared_ptr<const MeshData> shared =
-      SharedMesh(input); // whose mesh goes with the last who holds it
-    const Mesh& mesh = shared->Surface();
-    const ReadCurves read = CurveReader(curves, mesh).Read();
-    const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
-    InsertRules rules;
-    rules.snap = this->Snap;
-    rules.embed = this->EmbedSegments;
-    rules.bridge = this->Bridge;
-    rules.gap = static_cast<InsertRules::Gap>(this->Gap);
-    rules.join = this->JoinRuns;
-    rules.clean = this->Clean;
-    const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
-    vtkSmartPointer<vtkPolyData> made[3];
-    for (vtkSmartPointer<vtkPolyData>& output : made)
+  this->Internals->Kept.Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
+    [&](const KeptOutput::Outputs& made)
     {
-      output = vtkSmartPointer<vtkPolyData>::New();
-    }
-    writeMesh(input, result, made[0]);
-    writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);
-    made[1]->GetCellData()->RemoveArray("CurveId");
-    if (!kept.empty())
-    {
-      std::vector<vtkIdType> cells;
-      for (std::size_t i = 0; i < kept.size(); ++i)
+      ++this->InsertionCount;
+      const std::shared_ptr<const MeshData> shared =
+        SharedMesh(input); // whose mesh goes with the last who holds it
+      const Mesh& mesh = shared->Surface();
+      const ReadCurves read = CurveReader(curves, mesh).Read();
+      const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
+      InsertRules rules;
+      rules.snap = this->Snap;
+      rules.embed = this->EmbedSegments;
+      rules.bridge = this->Bridge;
+      rules.gap = static_cast<InsertRules::Gap>(this->Gap);
+      rules.join = this->JoinRuns;
+      rules.clean = this->Clean;
+      const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
+      writeMesh(input, result, made[0]);
+      writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);
+      made[1]->GetCellData()->RemoveArray("CurveId");
+      if (!kept.empty())
       {
-        cells.push_back(static_cast<vtkIdType>(i));
+        std::vector<vtkIdType> cells;
+        for (std::size_t i = 0; i < kept.size(); ++i)
+        {
+          cells.push_back(static_cast<vtkIdType>(i));
+        }
+        writeCurves(result.stored, result.mesh, stored, cells, made[2]);
       }
-      writeCurves(result.stored, result.mesh, stored, cells, made[2]);
-    }
-    std::copy(std::begin(made), std::end(made), cache.Outputs.begin());
-    cache.Bridges = result.bridges;
-    cache.Key = key;
-  }
-  this->BridgeCount = cache.Bridges;
-  for (int port = 0; port < 3; ++port)
-  {
-    vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
-  }
+      this->BridgeCount = result.bridges;
+    });
 }
 
 void vtkOversketchInsertCurve::PrintSelf(ostream& os, vtkIndent indent)

@@ -28,15 +28,15 @@ using namespace oversketch;
 
 struct vtkOversketchRetriangulate::Cache
 {
-  StepKey Key;
-  std::shared_ptr<const Motion> Known;     // held, so that another one has another address
-  vtkSmartPointer<vtkPolyData> Outputs[3]; // null: nothing is kept
+  KeptOutput Kept;
+  std::shared_ptr<const Motion> Known; // held, so that another one has another address
   std::shared_ptr<const MeshData> Rest;
 
   void Make(vtkOversketchRetriangulate* self,
     vtkPolyData* mesh,
     vtkPolyData* rest,
-    vtkPolyData* const (&curves)[2]);
+    vtkPolyData* const (&curves)[2],
+    const KeptOutput::Outputs& made);
 };
 
 namespace
@@ -196,12 +196,9 @@ void WriteChains(const Retriangulated& result,
 void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
   vtkPolyData* mesh,
   vtkPolyData* rest,
-  vtkPolyData* const (&curves)[2])
+  vtkPolyData* const (&curves)[2],
+  const KeptOutput::Outputs& made)
 {
-  for (vtkSmartPointer<vtkPolyData>& output : this->Outputs)
-  {
-    output = nullptr;
-  }
   ++self->RetriangulationCount;
   const double meanEdge =
     FieldValue(mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded");
@@ -238,12 +235,6 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
       ContextOf(self));
   }
   self->OperationCount = result.splits + result.collapses + result.flips;
-
-  vtkSmartPointer<vtkPolyData> made[3];
-  for (vtkSmartPointer<vtkPolyData>& output : made)
-  {
-    output = vtkSmartPointer<vtkPolyData>::New();
-  }
   if (self->OperationCount == 0 && result.mixes.empty())
   {
     made[0]->ShallowCopy(mesh);
@@ -256,7 +247,6 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
     WriteChains(result, 0, chains[0], curves[0], made[1]);
     WriteChains(result, chains[0].size(), chains[1], curves[1], made[2]);
   }
-  std::copy(std::begin(made), std::end(made), std::begin(this->Outputs));
 }
 
 vtkStandardNewMacro(vtkOversketchRetriangulate);
@@ -289,16 +279,14 @@ void vtkOversketchRetriangulate::Execute(vtkInformationVector** inputs, vtkInfor
   const StepKey key(
     { WholeKey(mesh), WholeKey(curves[0]), WholeKey(curves[1]), rest ? MeshKey(rest) : MeshKey() },
     { static_cast<double>(this->Rule) });
-  if (!cache.Outputs[0] || cache.Key != key || cache.Known != this->Known)
+  if (cache.Known != this->Known)
   {
-    cache.Make(this, mesh, rest, curves);
-    cache.Key = key;
+    cache.Kept = KeptOutput();
     cache.Known = this->Known;
   }
-  for (int port = 0; port < 3; ++port)
-  {
-    vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
-  }
+  cache.Kept.Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
+    [&](const KeptOutput::Outputs& made) { cache.Make(this, mesh, rest, curves, made); });
 }
 
 void vtkOversketchRetriangulate::PrintSelf(ostream& os, vtkIndent indent)

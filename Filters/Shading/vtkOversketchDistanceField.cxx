@@ -18,8 +18,7 @@ using namespace oversketch;
 // The last fields, and what they were made of.
 struct vtkOversketchDistanceField::Cache
 {
-  StepKey Key;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
+  KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>> Arrays;
 };
 
 vtkStandardNewMacro(vtkOversketchDistanceField);
@@ -76,28 +75,28 @@ void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInfor
   rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
   const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
     { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
-  Cache& cache = *this->Internals;
-  if (cache.Arrays.empty() || cache.Key != key)
-  {
-    cache.Arrays.clear(); // so that nothing stale is left when making fails
-    ++this->FieldCount;
-    std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
-    const InsidePatch inside = InsideOf(mesh, false);
-    for (int& vertex : chain)
+  const auto& arrays = this->Internals->Arrays.Provide(key,
+    [&]
     {
-      vertex = inside.Numbers[vertex];
-    }
-    const CurveFields fields = curveFields(inside.Patch, chain, rules, ContextOf(this));
-    const vtkIdType points = mesh->GetNumberOfPoints();
-    const std::vector<int>& vertices = inside.Vertices;
-    cache.Arrays = { meshArray<vtkDoubleArray>("CurveDistance", points, 1.0, vertices, fields.share),
-      meshArray<vtkDoubleArray>("CurveParameter", points, 0.0, vertices, fields.parameter),
-      meshArray<vtkIntArray>("CurveSide", points, 0.0, vertices, fields.side) };
-    cache.Key = key;
-  }
+      ++this->FieldCount;
+      std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
+      const InsidePatch inside = InsideOf(mesh, false);
+      for (int& vertex : chain)
+      {
+        vertex = inside.Numbers[vertex];
+      }
+      const CurveFields fields = curveFields(inside.Patch, chain, rules, ContextOf(this));
+      const vtkIdType points = mesh->GetNumberOfPoints();
+      const std::vector<int>& vertices = inside.Vertices;
+      return std::vector<vtkSmartPointer<vtkDataArray>>{
+        meshArray<vtkDoubleArray>("CurveDistance", points, 1.0, vertices, fields.share),
+        meshArray<vtkDoubleArray>("CurveParameter", points, 0.0, vertices, fields.parameter),
+        meshArray<vtkIntArray>("CurveSide", points, 0.0, vertices, fields.side)
+      };
+    });
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(mesh);
-  for (vtkDataArray* array : cache.Arrays)
+  for (vtkDataArray* array : arrays)
   {
     output->GetPointData()->AddArray(array);
   }

@@ -26,9 +26,7 @@ using namespace oversketch;
 // The last mask, and what it was made of.
 struct vtkOversketchScanFill::Cache
 {
-  StepKey Key;
-  vtkSmartPointer<vtkPolyData> Areas;
-  vtkSmartPointer<vtkImageData> Mask;
+  KeptValue<std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkImageData>>> Filled;
 };
 
 vtkStandardNewMacro(vtkOversketchScanFill);
@@ -158,29 +156,25 @@ int vtkOversketchScanFill::RequestInformation(vtkInformation*,
 void vtkOversketchScanFill::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-  vtkImageData* mask = vtkImageData::GetData(outputs, 1);
   const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
-  Cache& cache = *this->Internals;
-  if (!cache.Mask || cache.Key != key)
-  {
-    cache.Mask = nullptr; // so that nothing stale is left when making fails
-    ++this->FillCount;
-    const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
-    if (lines.size() > mostAreas)
+  const auto& [areas, mask] = this->Internals->Filled.Provide(key,
+    [&]
     {
-      throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
-    }
-    std::vector<Polyline> outlines;
-    for (std::size_t i = 0; i < lines.size(); ++i)
-    {
-      outlines.push_back(onDisc(strokes, lines[i], i));
-    }
-    cache.Areas = areasOf(strokes, outlines);
-    cache.Mask = maskOf(outlines, this->Resolution, ContextOf(this));
-    cache.Key = key;
-  }
-  vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Areas);
-  mask->ShallowCopy(cache.Mask);
+      ++this->FillCount;
+      const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
+      if (lines.size() > mostAreas)
+      {
+        throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
+      }
+      std::vector<Polyline> outlines;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+      {
+        outlines.push_back(onDisc(strokes, lines[i], i));
+      }
+      return std::make_pair(areasOf(strokes, outlines), maskOf(outlines, this->Resolution, ContextOf(this)));
+    });
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(areas);
+  vtkImageData::GetData(outputs, 1)->ShallowCopy(mask);
 }
 
 void vtkOversketchScanFill::PrintSelf(ostream& os, vtkIndent indent)

@@ -20,8 +20,7 @@ using namespace oversketch;
 // The last weights, and what they were read from.
 struct vtkOversketchTextureToWeight::Cache
 {
-  StepKey Key;
-  vtkSmartPointer<vtkDoubleArray> Weights;
+  KeptValue<vtkSmartPointer<vtkDoubleArray>> Weights;
 };
 
 vtkStandardNewMacro(vtkOversketchTextureToWeight);
@@ -122,24 +121,22 @@ void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInf
     { ArraysKey(
       { data->GetArray("EditRegion"), data->GetArray("DiscCoords"), image->GetPointData()->GetScalars() }) },
     { static_cast<double>(image->GetDimensions()[0]) });
-  Cache& cache = *this->Internals;
-  if (!cache.Weights || cache.Key != key)
-  {
-    cache.Weights = nullptr; // so that nothing stale is left when making fails
-    const std::vector<char> labels = ReadEditRegion(mesh);
-    const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
-    const auto weights = NewArray<vtkDoubleArray>("EditWeight", 1, mesh->GetNumberOfPoints());
-    for (std::size_t v = 0; v < labels.size(); ++v)
+  vtkDataArray* weights = this->Internals->Weights.Provide(key,
+    [&]
     {
-      weights->SetValue(
-        static_cast<vtkIdType>(v), labels[v] == EditLabel::Inside ? greys.At(coordinates[v]) : 0.0);
-    }
-    cache.Weights = weights;
-    cache.Key = key;
-  }
+      const std::vector<char> labels = ReadEditRegion(mesh);
+      const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
+      auto made = NewArray<vtkDoubleArray>("EditWeight", 1, mesh->GetNumberOfPoints());
+      for (std::size_t v = 0; v < labels.size(); ++v)
+      {
+        made->SetValue(
+          static_cast<vtkIdType>(v), labels[v] == EditLabel::Inside ? greys.At(coordinates[v]) : 0.0);
+      }
+      return made;
+    });
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(mesh);
-  output->GetPointData()->AddArray(cache.Weights);
+  output->GetPointData()->AddArray(weights);
 }
 
 void vtkOversketchTextureToWeight::PrintSelf(ostream& os, vtkIndent indent)

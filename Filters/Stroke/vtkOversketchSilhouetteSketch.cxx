@@ -101,7 +101,6 @@ struct vtkOversketchSilhouetteSketch::Cache
 {
   KeptSurface Surface;
   KeptOutput Kept;
-  vtkNew<vtkPolyData> Sketch;
 };
 
 vtkStandardNewMacro(vtkOversketchSilhouetteSketch);
@@ -147,8 +146,8 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
                           silhouette->GetCellData()->GetArray("Visible") }) },
     { static_cast<double>(this->Projection), this->MaximumStep });
   cache.Kept.Provide(key,
-    vtkPolyData::GetData(outputs, 0),
-    [&](vtkPolyData* result)
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1) },
+    [&](const KeptOutput::Outputs& results)
     {
       ++this->ProjectionCount;
       const std::vector<DrawnLine> lines = ReadStrokes(strokes);
@@ -169,12 +168,10 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
         readSilhouette(silhouette),
         rules,
         ContextOf(this, 0.5, 1.0));
-      WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, result);
-      result->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("Hidden", sketch.hidden));
-      cache.Sketch->Initialize();
-      writeSketch(sketch.sketch, result, cache.Sketch);
+      WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, results[0]);
+      results[0]->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("Hidden", sketch.hidden));
+      writeSketch(sketch.sketch, results[0], results[1]);
     });
-  vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Sketch);
 }
 
 void vtkOversketchSilhouetteSketch::PrintSelf(ostream& os, vtkIndent indent)
