@@ -238,8 +238,3 @@ int vtkOversketchAssemble::RequestData(vtkInformation*,
       output->SetFieldData(fields);
     });
 }
-
-void vtkOversketchAssemble::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}

@@ -12,9 +12,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchExtrude::Cache
+struct vtkOversketchExtrude::Cache : KeptOutput
 {
-  KeptOutput Surface;
 };
 
 vtkStandardNewMacro(vtkOversketchExtrude);
@@ -33,7 +32,7 @@ void vtkOversketchExtrude::Execute(vtkInformationVector** inputs, vtkInformation
   const Context context = ContextOf(this);
   context.checkpoint(0.0);
   const double depth = this->Depth == 0.0 ? 0.1 * CanvasOf(mesh).longest() : this->Depth;
-  this->Internals->Surface.Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
+  this->Internals->Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

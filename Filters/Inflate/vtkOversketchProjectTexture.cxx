@@ -25,9 +25,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchProjectTexture::Cache
+struct vtkOversketchProjectTexture::Cache : KeptOutput
 {
-  KeptOutput Mesh;
 };
 
 vtkStandardNewMacro(vtkOversketchProjectTexture);
@@ -116,7 +115,7 @@ void vtkOversketchProjectTexture::Execute(vtkInformationVector** inputs, vtkInfo
   const bool apart = vtkImageData::GetData(inputs[2]) != nullptr;
   ContextOf(this).checkpoint(0.0);
   const Canvas canvas = picture ? PlaceOf(picture).Rectangle : CanvasOf(mesh);
-  this->Internals->Mesh.Provide(
+  this->Internals->Provide(
     StepKey({ WholeKey(mesh) },
       { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1], apart ? 1.0 : 0.0 }),
     vtkPolyData::GetData(outputs),
@@ -143,9 +142,4 @@ void vtkOversketchProjectTexture::Execute(vtkInformationVector** inputs, vtkInfo
       }
       result->GetPointData()->SetTCoords(coordinates);
     });
-}
-
-void vtkOversketchProjectTexture::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

@@ -41,7 +41,6 @@ class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchProjectTexture : public vtkOv
 public:
   static vtkOversketchProjectTexture* New();
   vtkTypeMacro(vtkOversketchProjectTexture, vtkOversketchFilter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The picture, on port 1.

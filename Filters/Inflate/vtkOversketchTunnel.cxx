@@ -16,9 +16,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTunnel::Cache
+struct vtkOversketchTunnel::Cache : KeptOutput
 {
-  KeptOutput Surface;
 };
 
 vtkStandardNewMacro(vtkOversketchTunnel);
@@ -46,7 +45,7 @@ void vtkOversketchTunnel::Execute(vtkInformationVector** inputs, vtkInformationV
   }
   std::vector<double> values(tunnels.begin(), tunnels.end());
   values.push_back(this->TunnelWall);
-  this->Internals->Surface.Provide(StepKey({ WholeKey(surface) }, values),
+  this->Internals->Provide(StepKey({ WholeKey(surface) }, values),
     output,
     [&](vtkPolyData* result)
     {

@@ -19,9 +19,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchArrange::Cache
+struct vtkOversketchArrange::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchArrange);
@@ -81,7 +80,7 @@ void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformation
     { curves->GetFieldData()->GetArray("Canvas"),
       curves->GetFieldData()->GetArray("Resolution"),
       curves->GetCellData()->GetArray("StrokeId") });
-  this->Internals->Kept.Provide(StepKey({ read }, { this->JoinDistance }),
+  this->Internals->Provide(StepKey({ read }, { this->JoinDistance }),
     output,
     [&](vtkPolyData* result)
     {

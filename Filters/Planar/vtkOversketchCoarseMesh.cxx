@@ -18,9 +18,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCoarseMesh::Cache
+struct vtkOversketchCoarseMesh::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchCoarseMesh);
@@ -72,7 +71,7 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
     read.emplace_back(darts);
   }
   vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-  this->Internals->Kept.Provide(
+  this->Internals->Provide(
     StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
     { output, edges },
     [&](const KeptOutput::Outputs& results)

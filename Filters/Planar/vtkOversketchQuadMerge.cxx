@@ -11,9 +11,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchQuadMerge::Cache
+struct vtkOversketchQuadMerge::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchQuadMerge);
@@ -37,7 +36,7 @@ void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformati
   vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  this->Internals->Kept.Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+  this->Internals->Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
     output,
     [&](vtkPolyData* result)
     {

@@ -15,9 +15,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTrimHoles::Cache
+struct vtkOversketchTrimHoles::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchTrimHoles);
@@ -49,7 +48,7 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     this->GetEdgesOutput()->ShallowCopy(edges);
     return;
   }
-  this->Internals->Kept.Provide(
+  this->Internals->Provide(
     StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
     { output, this->GetEdgesOutput() },
     [&](const KeptOutput::Outputs& results)
@@ -60,9 +59,4 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     });
   output->GetFieldData()->PassData(faces->GetFieldData());
   this->GetEdgesOutput()->GetFieldData()->PassData(edges->GetFieldData());
-}
-
-void vtkOversketchTrimHoles::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

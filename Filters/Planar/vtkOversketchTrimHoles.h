@@ -38,7 +38,6 @@ class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkOversket
 public:
   static vtkOversketchTrimHoles* New();
   vtkTypeMacro(vtkOversketchTrimHoles, vtkOversketchFilter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The edges, on port 1.

@@ -31,9 +31,8 @@
 using namespace oversketch;
 
 // The last result.
-struct vtkOversketchInsertCurve::Cache
+struct vtkOversketchInsertCurve::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 namespace
@@ -265,7 +264,7 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
       static_cast<double>(this->Gap),
       this->JoinRuns ? 1.0 : 0.0,
       this->Clean ? 1.0 : 0.0 });
-  this->Internals->Kept.Provide(key,
+  this->Internals->Provide(key,
     { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
     [&](const KeptOutput::Outputs& made)
     {

@@ -49,8 +49,3 @@ void vtkOversketchMeanEdge::Execute(vtkInformationVector** inputs, vtkInformatio
   }
   output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(meanName, meanEdgeOf(*SharedMesh(input))));
 }
-
-void vtkOversketchMeanEdge::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}

@@ -32,7 +32,6 @@ class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchMeanEdge : public vtkOversketc
 public:
   static vtkOversketchMeanEdge* New();
   vtkTypeMacro(vtkOversketchMeanEdge, vtkOversketchFilter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkOversketchMeanEdge() = default;

@@ -21,9 +21,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRefineBetween::Cache
+struct vtkOversketchRefineBetween::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 namespace
@@ -95,7 +94,7 @@ void vtkOversketchRefineBetween::Execute(vtkInformationVector** inputs, vtkInfor
     return;
   }
   RequirePolygonsOnly(mesh); // the key does not see other cells
-  this->Internals->Kept.Provide(StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
+  this->Internals->Provide(StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
     output,
     [&](vtkPolyData* result)
     {

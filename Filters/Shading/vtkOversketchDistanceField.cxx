@@ -16,9 +16,8 @@
 using namespace oversketch;
 
 // The last fields, and what they were made of.
-struct vtkOversketchDistanceField::Cache
+struct vtkOversketchDistanceField::Cache : KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>>
 {
-  KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>> Arrays;
 };
 
 vtkStandardNewMacro(vtkOversketchDistanceField);
@@ -75,7 +74,7 @@ void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInfor
   rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
   const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
     { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
-  const auto& arrays = this->Internals->Arrays.Provide(key,
+  const auto& arrays = this->Internals->Provide(key,
     [&]
     {
       ++this->FieldCount;

@@ -25,8 +25,8 @@ using namespace oversketch;
 
 // The last mask, and what it was made of.
 struct vtkOversketchScanFill::Cache
+  : KeptValue<std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkImageData>>>
 {
-  KeptValue<std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkImageData>>> Filled;
 };
 
 vtkStandardNewMacro(vtkOversketchScanFill);
@@ -157,7 +157,7 @@ void vtkOversketchScanFill::Execute(vtkInformationVector** inputs, vtkInformatio
 {
   vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
   const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
-  const auto& [areas, mask] = this->Internals->Filled.Provide(key,
+  const auto& [areas, mask] = this->Internals->Provide(key,
     [&]
     {
       ++this->FillCount;

@@ -18,9 +18,8 @@
 using namespace oversketch;
 
 // The last weights, and what they were read from.
-struct vtkOversketchTextureToWeight::Cache
+struct vtkOversketchTextureToWeight::Cache : KeptValue<vtkSmartPointer<vtkDoubleArray>>
 {
-  KeptValue<vtkSmartPointer<vtkDoubleArray>> Weights;
 };
 
 vtkStandardNewMacro(vtkOversketchTextureToWeight);
@@ -121,7 +120,7 @@ void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInf
     { ArraysKey(
       { data->GetArray("EditRegion"), data->GetArray("DiscCoords"), image->GetPointData()->GetScalars() }) },
     { static_cast<double>(image->GetDimensions()[0]) });
-  vtkDataArray* weights = this->Internals->Weights.Provide(key,
+  vtkDataArray* weights = this->Internals->Provide(key,
     [&]
     {
       const std::vector<char> labels = ReadEditRegion(mesh);
@@ -137,9 +136,4 @@ void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInf
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   output->ShallowCopy(mesh);
   output->GetPointData()->AddArray(weights);
-}
-
-void vtkOversketchTextureToWeight::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

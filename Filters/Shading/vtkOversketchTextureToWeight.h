@@ -36,7 +36,6 @@ class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchTextureToWeight : public vtkO
 public:
   static vtkOversketchTextureToWeight* New();
   vtkTypeMacro(vtkOversketchTextureToWeight, vtkOversketchFilter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The image, on port 1.

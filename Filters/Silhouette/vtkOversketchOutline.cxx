@@ -226,8 +226,3 @@ void vtkOversketchOutline::Execute(vtkInformationVector** inputs, vtkInformation
   output->GetCellData()->AddArray(flags);
   output->GetCellData()->AddArray(holes);
 }
-
-void vtkOversketchOutline::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-}

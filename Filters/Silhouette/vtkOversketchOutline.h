@@ -56,7 +56,6 @@ class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchOutline : public vtkOversk
 public:
   static vtkOversketchOutline* New();
   vtkTypeMacro(vtkOversketchOutline, vtkOversketchFilter);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * The stroke whose view is used, on port 1.

@@ -13,9 +13,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchStellarSimplify::Cache
+struct vtkOversketchStellarSimplify::Cache : StellarStep
 {
-  StellarStep Step;
 };
 
 vtkStandardNewMacro(vtkOversketchStellarSimplify);
@@ -31,7 +30,7 @@ vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
 
 vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
 {
-  const std::vector<int>& from = this->Internals->Step.PointFrom();
+  const std::vector<int>& from = this->Internals->PointFrom();
   return point >= 0 && point < static_cast<vtkIdType>(from.size()) ? from[static_cast<std::size_t>(point)]
                                                                    : -1;
 }
@@ -42,7 +41,7 @@ void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInf
   vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
   const bool drawn = curvesIn && curvesIn->GetNumberOfPoints() > 0;
   const Context context = ContextOf(this);
-  this->Internals->Step.Provide(mesh,
+  this->Internals->Provide(mesh,
     { drawn ? WholeKey(curvesIn) : MeshKey() },
     { this->Tolerance,
       this->Radius,

@@ -16,9 +16,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCanvas::Cache
+struct vtkOversketchCanvas::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchCanvas);
@@ -88,7 +87,7 @@ void vtkOversketchCanvas::Execute(vtkInformationVector** inputs, vtkInformationV
   const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
   const Canvas canvas = canvasOf(strokes, vtkImageData::GetData(inputs[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Internals->Kept.Provide(
+  this->Internals->Provide(
     StepKey({ CurvesKey(strokes, { "ViewTransform", "ProjectionTransform", "ViewportSize", "Closed" }) },
       { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
     output,

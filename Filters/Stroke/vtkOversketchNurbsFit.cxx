@@ -24,9 +24,8 @@
 using namespace oversketch;
 
 // The ray scene of the mesh, held for the next stroke.
-struct vtkOversketchNurbsFit::Cache
+struct vtkOversketchNurbsFit::Cache : KeptSurface
 {
-  KeptSurface Surface;
 };
 
 vtkStandardNewMacro(vtkOversketchNurbsFit);
@@ -167,7 +166,7 @@ void vtkOversketchNurbsFit::Execute(vtkInformationVector** inputs, vtkInformatio
         "There is no mesh to fit splines in space on; give it on port 1, or set {FitSpace Picture}.");
     }
     RequirePolygonsOnly(mesh);
-    surface = &this->Internals->Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+    surface = &this->Internals->Provide(mesh, ContextOf(this, 0.0, 0.5));
   }
   const Context context = ContextOf(this, surface ? 0.5 : 0.0, 1.0);
   vtkNew<vtkPoints> points;

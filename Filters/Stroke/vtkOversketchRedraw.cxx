@@ -19,9 +19,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRedraw::Cache
+struct vtkOversketchRedraw::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchRedraw);
@@ -214,7 +213,7 @@ void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationV
     output->ShallowCopy(curves);
     return;
   }
-  this->Internals->Kept.Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+  this->Internals->Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
     output,
     [&](vtkPolyData* result)
     {

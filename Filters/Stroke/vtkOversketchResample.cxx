@@ -13,9 +13,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResample::Cache
+struct vtkOversketchResample::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchResample);
@@ -61,7 +60,7 @@ void vtkOversketchResample::Execute(vtkInformationVector** inputs, vtkInformatio
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Internals->Kept.Provide(StepKey({ CurvesKey(input) }, {}),
+  this->Internals->Provide(StepKey({ CurvesKey(input) }, {}),
     output,
     [&](vtkPolyData* result)
     {

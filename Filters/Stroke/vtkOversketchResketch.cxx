@@ -24,9 +24,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResketch::Cache
+struct vtkOversketchResketch::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 namespace
@@ -186,9 +185,8 @@ void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  this->Internals->Kept.Provide(
-    StepKey({ WholeKey(curve), WholeKey(stroke) },
-      { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+  this->Internals->Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
+                             { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {
