@@ -6,6 +6,7 @@
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
@@ -222,21 +223,10 @@ RedrawnPart PartRedrawn(vtkPolyData* redrawn)
   {
     even.pop_back();
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(even.size()) + isRing);
-  for (const Vector2& p : even)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  if (isRing)
-  {
-    lines->InsertCellPoint(0);
-  }
+  Polylines lines;
+  lines.Add(even, isRing);
   part.Stroke = vtkSmartPointer<vtkPolyData>::New();
-  part.Stroke->SetPoints(points);
-  part.Stroke->SetLines(lines);
+  lines.Put(part.Stroke);
   for (vtkDataArray* array : ViewArraysOf(redrawn))
   {
     part.Stroke->GetCellData()->AddArray(array);

@@ -1,4 +1,5 @@
 #include "vtkOversketchPlanarTools.h"
+#include "vtkOversketchPolylines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -276,26 +277,14 @@ std::vector<StrokeLine> StrokeLinesOf(vtkPolyData* polylines)
 
 void WriteStrokeLines(const std::vector<StrokeLine>& lines, vtkPolyData* polylines)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
+  Polylines written;
   std::vector<double> params;
   for (const StrokeLine& line : lines)
   {
-    const vtkIdType first = points->GetNumberOfPoints(), count = static_cast<vtkIdType>(line.places.size());
-    cells->InsertNextCell(static_cast<int>(count) + (line.closed ? 1 : 0));
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(line.places[k][0], line.places[k][1], 0.0));
-    }
-    if (line.closed)
-    {
-      cells->InsertCellPoint(first);
-    }
+    written.Add(line.places, line.closed);
     params.insert(params.end(), line.params.begin(), line.params.end());
   }
-  polylines->SetPoints(points);
-  polylines->SetLines(cells);
+  written.Put(polylines);
   polylines->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("ArcLength", params));
   vtkDataSetAttributes* data = polylines->GetCellData();
   data->AddArray(ArrayOf<vtkIntArray>("StrokeId", lines, &StrokeLine::stroke));

@@ -4,17 +4,15 @@
 
 #include "Shading/scan_fill.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchShadingTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -75,21 +73,12 @@ Polyline onDisc(vtkPolyData* strokes, const DrawnLine& line, std::size_t stroke)
 vtkSmartPointer<vtkPolyData> areasOf(vtkPolyData* strokes, const std::vector<Polyline>& outlines)
 {
   auto areas = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  Polylines lines;
   for (const Polyline& outline : outlines)
   {
-    lines->InsertNextCell(static_cast<int>(outline.size()) + 1);
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (const Vector2& p : outline)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-    }
-    lines->InsertCellPoint(first);
+    lines.Add(outline, true);
   }
-  areas->SetPoints(points);
-  areas->SetLines(lines);
+  lines.Put(areas);
   areas->GetCellData()->PassData(strokes->GetCellData());
   for (const char* name : viewArrays)
   {

@@ -6,6 +6,7 @@
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchPolylines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -18,7 +19,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -58,17 +58,10 @@ Polyline AlongCell(vtkDataArray* array, vtkPolyData* curves, vtkIdType cell, std
 // The samples as a stroke in the other one's view.
 void WriteStroke(const Polyline& samples, vtkPolyData* like, vtkPolyData* stroke)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> line;
-  line->InsertNextCell(static_cast<int>(samples.size()));
-  for (const Vector2& p : samples)
-  {
-    line->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
   stroke->Initialize();
-  stroke->SetPoints(points);
-  stroke->SetLines(line);
+  Polylines line;
+  line.Add(samples);
+  line.Put(stroke);
   stroke->GetCellData()->PassData(like->GetCellData());
   stroke->GetFieldData()->PassData(like->GetFieldData());
 }

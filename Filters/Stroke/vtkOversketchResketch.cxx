@@ -3,18 +3,16 @@
 #include "Stroke/correct.h"
 #include "Stroke/resketch.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchStrokeTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -123,20 +121,9 @@ void blendArrays(vtkPolyData* curve,
 
 void writeCurve(const Polyline& curve, bool closed, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(curve.size()) + (closed ? 1 : 0));
-  for (const Vector2& p : curve)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  if (closed)
-  {
-    lines->InsertCellPoint(0);
-  }
-  output->SetPoints(points);
-  output->SetLines(lines);
+  Polylines line;
+  line.Add(curve, closed);
+  line.Put(output);
   const auto shares = NewArray<vtkDoubleArray>("CurveT");
   const std::vector<double> lengths = arcLengths(curve, closed);
   for (std::size_t i = 0; i < curve.size(); ++i)
