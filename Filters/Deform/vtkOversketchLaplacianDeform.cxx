@@ -4,6 +4,7 @@
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMovedPoints.h"
+#include "vtkOversketchRegister.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"
@@ -16,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <mutex>
 #include <string>
 
 using namespace oversketch;
@@ -69,55 +69,22 @@ Context PartOf(const Context& whole, double from, double to)
   return part;
 }
 
-// The shapes that some filter holds, found again by what they were made from: a system deforms the same
-// region more than once, with other handles. Weak pointers only, so memory goes with the last filter.
-class ShapeRegister
+struct ShapeKey
 {
-public:
-  struct Key
+  MeshKey Mesh;
+  std::vector<char> Movable;
+  bool AdjustNormals;
+  bool operator==(const ShapeKey& other) const
   {
-    MeshKey Mesh;
-    std::vector<char> Movable;
-    bool AdjustNormals;
-    bool operator==(const Key& other) const
-    {
-      return this->Mesh == other.Mesh && this->Movable == other.Movable &&
-             this->AdjustNormals == other.AdjustNormals;
-    }
-  };
-  std::shared_ptr<const LaplacianShape> Find(const Key& key)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (const auto& [known, shape] : this->Entries)
-    {
-      if (known == key)
-      {
-        if (auto found = shape.lock())
-        {
-          return found;
-        }
-      }
-    }
-    return nullptr;
+    return this->Mesh == other.Mesh && this->Movable == other.Movable &&
+           this->AdjustNormals == other.AdjustNormals;
   }
-  void Add(const Key& key, const std::shared_ptr<const LaplacianShape>& shape)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Entries.erase(
-      std::remove_if(
-        this->Entries.begin(), this->Entries.end(), [](const auto& entry) { return entry.second.expired(); }),
-      this->Entries.end());
-    this->Entries.emplace_back(key, shape);
-  }
-
-private:
-  std::mutex Mutex;
-  std::vector<std::pair<Key, std::weak_ptr<const LaplacianShape>>> Entries;
 };
 
-ShapeRegister& Shapes()
+// The shapes that some filter holds: a system deforms the same region more than once, with other handles.
+Register<LaplacianShape, ShapeKey>& Shapes()
 {
-  static ShapeRegister instance;
+  static Register<LaplacianShape, ShapeKey> instance;
   return instance;
 }
 
@@ -310,7 +277,7 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
     cache.System.reset();
     cache.Points = nullptr;
     cache.Data = SharedMesh(input);
-    const ShapeRegister::Key key{
+    const ShapeKey key{
       systemKey, movableVertices(cache.Data->Neighbours(), region, handles.Bindings), this->AdjustNormals
     };
     auto shape = Shapes().Find(key);

@@ -2,7 +2,7 @@
 
 #include "Stellar/refine.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchStellarRegister.h"
+#include "vtkOversketchRegister.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkDataArray.h"

@@ -2,7 +2,7 @@
 
 #include "Stellar/leaves.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchStellarRegister.h"
+#include "vtkOversketchRegister.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
