@@ -463,6 +463,17 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   return array;
 }
 
+vtkDataArray* OptionalArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy)
+{
+  return attributes->HasArray(name) ? RequireArray(attributes, name, components, tuples, holder, remedy)
+                                    : nullptr;
+}
+
 void RequireFinite(double value, const char* name)
 {
   if (!std::isfinite(value))

@@ -148,6 +148,16 @@ OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* at
   const std::string& remedy);
 
 /**
+ * The same, null where there is no array of that name.
+ */
+OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* OptionalArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy);
+
+/**
  * The one value of a field array. Throws Error(MissingArray), naming the array and its holder ("mesh"), where
  * it is not one finite positive number.
  */

@@ -41,9 +41,7 @@ Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
   }
   Handles handles{ ReadBindings(polyData, vertexCount, "handles", remedy), {}, {} };
   vtkDataArray* targets = RequireArray(polyData->GetPointData(), "Target", 3, count, "handles", remedy);
-  vtkDataArray* ratios = polyData->GetPointData()->HasArray("MergeRatio")
-                           ? RequireArray(polyData->GetPointData(), "MergeRatio", 1, count, "handles", remedy)
-                           : nullptr;
+  vtkDataArray* ratios = OptionalArray(polyData->GetPointData(), "MergeRatio", 1, count, "handles", remedy);
   for (vtkIdType h = 0; h < count; ++h)
   {
     Vector3 position, target;

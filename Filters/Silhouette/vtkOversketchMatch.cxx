@@ -162,10 +162,8 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
     vtkPointData* pointData = input->GetPointData();
     const auto optional = [&](const char* name)
     {
-      return pointData->HasArray(name)
-               ? RequireArray(
-                   pointData, name, 2, input->GetNumberOfPoints(), "curves", "vtkOversketchOutline makes it")
-               : nullptr;
+      return OptionalArray(
+        pointData, name, 2, input->GetNumberOfPoints(), "curves", "vtkOversketchOutline makes it");
     };
     vtkDataArray* displays = optional("Display");
     vtkDataArray* offsets = optional("Offset");

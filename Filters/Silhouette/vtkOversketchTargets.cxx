@@ -39,10 +39,8 @@ std::vector<SectionPoint> ReadSection(vtkPolyData* input, const Mesh& mesh, cons
   vtkPointData* pointData = input->GetPointData();
   const auto optional = [&](const char* name)
   {
-    return pointData->HasArray(name)
-             ? RequireArray(
-                 pointData, name, 2, input->GetNumberOfPoints(), "section", "vtkOversketchMatch makes it")
-             : nullptr;
+    return OptionalArray(
+      pointData, name, 2, input->GetNumberOfPoints(), "section", "vtkOversketchMatch makes it");
   };
   vtkDataArray* displays = optional("Display");
   vtkDataArray* offsets = optional("Offset");

@@ -119,13 +119,12 @@ SnappedStroke asDrawn(const Polyline& points)
 
 vtkDataArray* strokeArray(vtkPolyData* curves, const char* name)
 {
-  return curves->GetCellData()->HasArray(name) ? RequireArray(curves->GetCellData(),
-                                                   name,
-                                                   1,
-                                                   curves->GetNumberOfCells(),
-                                                   "drawing",
-                                                   "it is one number for each stroke")
-                                               : nullptr;
+  return OptionalArray(curves->GetCellData(),
+    name,
+    1,
+    curves->GetNumberOfCells(),
+    "drawing",
+    "it is one number for each stroke");
 }
 
 // Does the work for a stroke, whose number is put before what it says of it.

@@ -120,14 +120,12 @@ void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInform
   }
   RequirePolygonsOnly(mesh); // the key does not see other cells
   RequireFinite(this->Spacing, "Spacing");
-  vtkDataArray* parameters = strokes->GetPointData()->GetAbstractArray("CurveT")
-                               ? RequireArray(strokes->GetPointData(),
-                                   "CurveT",
-                                   1,
-                                   strokes->GetNumberOfPoints(),
-                                   "curves",
-                                   "take them from vtkOversketchNurbsFit, or remove it")
-                               : nullptr;
+  vtkDataArray* parameters = OptionalArray(strokes->GetPointData(),
+    "CurveT",
+    1,
+    strokes->GetNumberOfPoints(),
+    "curves",
+    "take them from vtkOversketchNurbsFit, or remove it");
   Cache& cache = *this->Internals;
   cache.Kept.Provide(
     StepKey({ WholeKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) }, { this->Spacing }),

@@ -38,9 +38,7 @@ std::vector<SilhouetteChain> readSilhouette(vtkPolyData* curves)
   }
   vtkDataArray* normals =
     RequireArray(curves->GetPointData(), "Normals", 3, curves->GetNumberOfPoints(), "silhouette", remedy);
-  vtkDataArray* visible = curves->GetCellData()->HasArray("Visible")
-                            ? RequireArray(curves->GetCellData(), "Visible", 1, count, "silhouette", remedy)
-                            : nullptr;
+  vtkDataArray* visible = OptionalArray(curves->GetCellData(), "Visible", 1, count, "silhouette", remedy);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
