@@ -1,6 +1,6 @@
 /**
- * What the steps of an edit hand on as arrays: curves that run along the edges of a mesh, polylines with point
- * array VertexId, the vertex that each point is; and the region, point array EditRegion of a mesh, as
+ * What the steps of an edit hand on as arrays: curves that run along the edges of a mesh, polylines with
+ * point array VertexId, the vertex that each point is; and the region, point array EditRegion of a mesh, as
  * vtkOversketchEnclose writes it. Free functions, for use in the .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchEditArrays_h

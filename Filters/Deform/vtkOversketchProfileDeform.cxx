@@ -13,7 +13,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"

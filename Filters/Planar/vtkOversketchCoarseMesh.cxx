@@ -9,7 +9,6 @@
 
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 

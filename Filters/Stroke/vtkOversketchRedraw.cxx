@@ -8,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
