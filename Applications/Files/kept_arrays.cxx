@@ -4,7 +4,7 @@
 #include "text.h"
 #include "texture.h"
 
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 #include "vtkOversketchAugmentPipeline.h"
 
 #include "Stellar/quality.h"
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchStellarCurves.h"
 
 #include "vtkCellData.h"
@@ -26,15 +26,8 @@ void PutRegion(vtkPolyData* mesh, const std::vector<char>& region, double length
 {
   to->ShallowCopy(mesh);
   RemoveStellarArrays(to);
-  vtkNew<vtkUnsignedCharArray> inside;
-  inside->SetName("Region");
-  inside->SetNumberOfTuples(static_cast<vtkIdType>(region.size()));
-  std::copy(region.begin(), region.end(), inside->GetPointer(0));
-  to->GetPointData()->AddArray(inside);
-  vtkNew<vtkDoubleArray> guide;
-  guide->SetName("GuideLength");
-  guide->InsertNextValue(length);
-  to->GetFieldData()->AddArray(guide);
+  to->GetPointData()->AddArray(ArrayOf<vtkUnsignedCharArray>("Region", region));
+  to->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("GuideLength", length));
 }
 
 // Whether vertices are on curves of a stroke that is not ended; the steps refuse such a mesh.

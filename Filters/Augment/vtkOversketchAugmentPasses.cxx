@@ -4,7 +4,7 @@
 #include "Mesh/nearest.h"
 #include "Mesh/view.h"
 #include "vtkOversketchCanvasTools.h"
-#include "vtkOversketchStrokeView.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"

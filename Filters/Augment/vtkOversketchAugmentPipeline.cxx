@@ -4,13 +4,12 @@
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStepRunner.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -485,12 +484,9 @@ void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
 {
   vtkPolyData* curves = this->Self->StageOutput(this->DrawnName());
   vtkPolyData* sketch = this->Self->SketchMode == Silhouette ? this->Sketch->GetSketchOutput() : nullptr;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> parts, numbers;
-  parts->SetName("Part");
-  numbers->SetName("CurveId");
+  Polylines lines;
+  const auto parts = NewArray<vtkIntArray>("Part");
+  const auto numbers = NewArray<vtkIntArray>("CurveId");
   const FeatureCurves read = CurvesOf(curves), sketches = sketch ? CurvesOf(sketch) : FeatureCurves();
   for (std::size_t c = 0; c < read.size(); ++c)
   {
@@ -502,22 +498,12 @@ void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
     int part = 0;
     for (const std::vector<Vector3>* line : { &preview.crest, &preview.left, &preview.right })
     {
-      const vtkIdType first = points->GetNumberOfPoints();
-      lines->InsertNextCell(static_cast<int>(line->size()) + (curve.closed ? 1 : 0));
-      for (const Vector3& p : *line)
-      {
-        lines->InsertCellPoint(points->InsertNextPoint(p.data()));
-      }
-      if (curve.closed)
-      {
-        lines->InsertCellPoint(first);
-      }
+      lines.Add(*line, curve.closed);
       parts->InsertNextValue(part++);
       numbers->InsertNextValue(static_cast<int>(c));
     }
   }
-  crest->SetPoints(points);
-  crest->SetLines(lines);
+  lines.Put(crest);
   crest->GetCellData()->AddArray(parts);
   crest->GetCellData()->AddArray(numbers);
 }

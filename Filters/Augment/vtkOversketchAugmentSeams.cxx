@@ -1,7 +1,6 @@
 #include "vtkOversketchAugmentSeams.h"
 
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchHierarchy.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -12,12 +12,12 @@
 
 #include "Mesh/context.h"                // For KernelBackend
 #include "OversketchFiltersCoreModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSCORE_EXPORT vtkOversketchBackendFilter : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSCORE_EXPORT vtkOversketchBackendFilter : public vtkOversketchFilter
 {
 public:
-  vtkAbstractTypeMacro(vtkOversketchBackendFilter, vtkPolyDataAlgorithm);
+  vtkAbstractTypeMacro(vtkOversketchBackendFilter, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum BackendType

@@ -4,7 +4,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -69,10 +68,8 @@ std::vector<Binding> ReadBindings(vtkPolyData* points,
 
 void WriteBindings(const std::vector<Binding>& bindings, vtkPolyData* points)
 {
-  vtkNew<vtkIdTypeArray> vertices;
-  vtkNew<vtkDoubleArray> weights;
-  vertices->SetName(verticesName);
-  weights->SetName(weightsName);
+  const auto vertices = NewArray<vtkIdTypeArray>(verticesName);
+  const auto weights = NewArray<vtkDoubleArray>(weightsName);
   for (vtkDataArray* array :
     { static_cast<vtkDataArray*>(vertices.Get()), static_cast<vtkDataArray*>(weights.Get()) })
   {

@@ -1,7 +1,5 @@
 #include "vtkOversketchCarriedArrays.h"
 
-#include "vtkOversketchHierarchy.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -12,6 +10,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <string>
 
 namespace oversketch
 {
@@ -196,6 +196,38 @@ void WriteCarried(const Mesh& mesh,
   CopyElements(input->GetCellData(), triangleSources, output->GetCellData());
   output->GetFieldData()->PassData(input->GetFieldData());
   DropHierarchy(output);
+}
+
+bool IsStellarArray(const char* name)
+{
+  const auto same = [name](const char* other) { return name && std::string(name) == other; };
+  return std::any_of(std::begin(stellarCellArrays), std::end(stellarCellArrays), same) ||
+         std::any_of(std::begin(stellarPointArrays), std::end(stellarPointArrays), same) ||
+         std::any_of(std::begin(stellarFieldArrays), std::end(stellarFieldArrays), same);
+}
+
+void RemoveStellarArrays(vtkPolyData* mesh)
+{
+  for (const char* name : stellarPointArrays)
+  {
+    mesh->GetPointData()->RemoveArray(name);
+  }
+  for (const char* name : stellarCellArrays)
+  {
+    mesh->GetCellData()->RemoveArray(name);
+  }
+  for (const char* name : stellarFieldArrays)
+  {
+    mesh->GetFieldData()->RemoveArray(name);
+  }
+}
+
+void DropHierarchy(vtkPolyData* mesh)
+{
+  if (mesh->GetCellData()->HasArray("StellarPath"))
+  {
+    RemoveStellarArrays(mesh);
+  }
 }
 
 } // namespace oversketch

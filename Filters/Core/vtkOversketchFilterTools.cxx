@@ -1,4 +1,5 @@
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
@@ -22,6 +23,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace oversketch
 {
@@ -461,6 +463,17 @@ vtkDataArray* RequireArray(vtkDataSetAttributes* attributes,
   return array;
 }
 
+vtkDataArray* OptionalArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy)
+{
+  return attributes->HasArray(name) ? RequireArray(attributes, name, components, tuples, holder, remedy)
+                                    : nullptr;
+}
+
 void RequireFinite(double value, const char* name)
 {
   if (!std::isfinite(value))
@@ -516,6 +529,61 @@ MeshKey WholeKey(vtkPolyData* data)
     }
   }
   return MeshKey(data, arrays);
+}
+
+std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes)
+{
+  std::vector<vtkDataArray*> arrays;
+  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  {
+    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
+    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+View ViewOfStroke(vtkPolyData* strokes, vtkIdType stroke)
+{
+  vtkNew<vtkPolyData> one;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ points->InsertNextPoint(0.0, 0.0, 0.0) });
+  one->SetPoints(points);
+  one->SetLines(lines);
+  for (vtkDataArray* array : ViewArraysOf(strokes))
+  {
+    one->GetCellData()->AddArray(CarriedArray(array, std::vector<vtkIdType>{ stroke }));
+  }
+  try
+  {
+    return ViewOf(one);
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.failure(), Message::unusable("Stroke", stroke, error.message()));
+  }
+}
+
+double FieldValue(vtkDataObject* object,
+  const char* name,
+  const std::string& holder,
+  const std::string& remedy)
+{
+  vtkDataArray* array = object->GetFieldData()->GetArray(name);
+  const bool single = array && array->GetNumberOfTuples() == 1 && array->GetNumberOfComponents() == 1;
+  const double value = single ? array->GetComponent(0, 0) : 0.0;
+  if (!(value > 0.0) || !std::isfinite(value))
+  {
+    throw Error(Failure::MissingArray,
+      "Field array %1 of the %2 must hold one positive value: %3.",
+      name,
+      holder,
+      remedy);
+  }
+  return value;
 }
 
 } // namespace oversketch

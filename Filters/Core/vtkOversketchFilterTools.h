@@ -10,6 +10,7 @@
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 #include "Mesh/view.h"
+#include "vtkOversketchArrays.h"
 
 #include "vtkType.h"
 
@@ -20,6 +21,7 @@
 
 class vtkAlgorithm;
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSetAttributes;
 class vtkObject;
 class vtkPolyData;
@@ -146,6 +148,25 @@ OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* RequireArray(vtkDataSetAttributes* at
   const std::string& remedy);
 
 /**
+ * The same, null where there is no array of that name.
+ */
+OVERSKETCHFILTERSCORE_EXPORT vtkDataArray* OptionalArray(vtkDataSetAttributes* attributes,
+  const char* name,
+  int components,
+  vtkIdType tuples,
+  const std::string& holder,
+  const std::string& remedy);
+
+/**
+ * The one value of a field array. Throws Error(MissingArray), naming the array and its holder ("mesh"), where
+ * it is not one finite positive number.
+ */
+OVERSKETCHFILTERSCORE_EXPORT double FieldValue(vtkDataObject* object,
+  const char* name,
+  const std::string& holder,
+  const std::string& remedy);
+
+/**
  * Throws Error(BadStroke) naming the parameter where its value is not finite.
  */
 OVERSKETCHFILTERSCORE_EXPORT void RequireFinite(double value, const char* name);
@@ -176,6 +197,17 @@ private:
  * The key of all numbers that a polydata holds.
  */
 OVERSKETCHFILTERSCORE_EXPORT MeshKey WholeKey(vtkPolyData* data);
+
+/**
+ * The cell arrays that a view is read from, those that are there and have the right length.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes);
+
+/**
+ * The view of one stroke, see ViewOf; strokes of one polydata may carry different ones. Names the stroke in
+ * what it throws.
+ */
+OVERSKETCHFILTERSCORE_EXPORT View ViewOfStroke(vtkPolyData* strokes, vtkIdType stroke);
 
 } // namespace oversketch
 #endif

@@ -32,15 +32,28 @@ void KeptOutput::Provide(const StepKey& key,
   vtkPolyData* output,
   const std::function<void(vtkPolyData* result)>& make)
 {
-  if (!this->Result || this->Key != key)
+  this->Provide(key, Outputs{ output }, [&make](const Outputs& results) { make(results[0]); });
+}
+
+void KeptOutput::Provide(const StepKey& key,
+  const Outputs& outputs,
+  const std::function<void(const Outputs& results)>& make)
+{
+  const auto& results = this->Results.Provide(key,
+    [&]
+    {
+      std::vector<vtkSmartPointer<vtkPolyData>> made;
+      for (std::size_t i = 0; i < outputs.size(); ++i)
+      {
+        made.push_back(vtkSmartPointer<vtkPolyData>::New());
+      }
+      make(Outputs(made.begin(), made.end()));
+      return made;
+    });
+  for (std::size_t i = 0; i < outputs.size(); ++i)
   {
-    this->Result = nullptr; // so that nothing stale is left when making fails
-    auto result = vtkSmartPointer<vtkPolyData>::New();
-    make(result);
-    this->Result = result;
-    this->Key = key;
+    outputs[i]->ShallowCopy(results[i]);
   }
-  output->ShallowCopy(this->Result);
 }
 
 } // namespace oversketch

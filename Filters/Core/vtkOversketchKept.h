@@ -13,6 +13,7 @@
 #include "vtkSmartPointer.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,20 +49,52 @@ private:
 OVERSKETCHFILTERSCORE_EXPORT void AddText(std::vector<double>& values, const std::string& text);
 
 /**
+ * Something that a step made, and what of.
+ */
+template <class Value>
+class KeptValue
+{
+public:
+  /**
+   * What is kept, where the key is the same, else what make gives. Nothing is kept when making throws.
+   */
+  template <class Make>
+  const Value& Provide(const StepKey& key, const Make& make)
+  {
+    if (!this->Held || this->Key != key)
+    {
+      this->Held.reset(); // so that nothing stale is left when making fails
+      this->Held.emplace(make());
+      this->Key = key;
+    }
+    return *this->Held;
+  }
+
+private:
+  StepKey Key;
+  std::optional<Value> Held;
+};
+
+/**
  * The last result of a step.
  */
 class OVERSKETCHFILTERSCORE_EXPORT KeptOutput
 {
 public:
+  ///@{
   /**
-   * Copies the kept result, shallowly, to the output; first has it made where the key is a new one. Nothing
-   * is kept when making it throws.
+   * Copies the kept result, shallowly, to the output, or results to outputs; first has them made where the
+   * key is a new one. Nothing is kept when making throws.
    */
+  using Outputs = std::vector<vtkPolyData*>;
   void Provide(const StepKey& key, vtkPolyData* output, const std::function<void(vtkPolyData* result)>& make);
+  void Provide(const StepKey& key,
+    const Outputs& outputs,
+    const std::function<void(const Outputs& results)>& make);
+  ///@}
 
 private:
-  StepKey Key;
-  vtkSmartPointer<vtkPolyData> Result;
+  KeptValue<std::vector<vtkSmartPointer<vtkPolyData>>> Results;
 };
 
 } // namespace oversketch

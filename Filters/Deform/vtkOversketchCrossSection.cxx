@@ -3,7 +3,7 @@
 #include "Section/profile.h"
 #include "Section/walk.h"
 #include "vtkOversketchBindings.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -29,26 +29,22 @@ using namespace oversketch;
 struct vtkOversketchCrossSection::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::optional<Sectioner> Cutter;      // of it and the boundary, which stay as the plane slides
-  StepKey CutterKey;
+  KeptValue<Sectioner> Cutter;          // of it and the boundary, which stay as the plane slides
   ProfileFit Fit;
-  KeptOutput Profile;
-  vtkNew<vtkPolyData> Section;
+  KeptOutput Kept;
 
   const Sectioner& CutterOf(vtkPolyData* mesh, vtkPolyData* boundary)
   {
     const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(boundary) }, {});
-    if (!this->Cutter || this->CutterKey != key)
-    {
-      this->Cutter.reset(); // it points into the mesh
-      this->Data = SharedMesh(mesh);
-      const Mesh& surface = this->Data->Surface();
-      this->Cutter.emplace(surface,
-        this->Data->Neighbours(),
-        VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve")));
-      this->CutterKey = key;
-    }
-    return *this->Cutter;
+    return this->Cutter.Provide(key,
+      [&]
+      {
+        this->Data = SharedMesh(mesh); // which the cutter points into
+        const Mesh& surface = this->Data->Surface();
+        return Sectioner(surface,
+          this->Data->Neighbours(),
+          VerticesOnce(ReadChain(boundary, surface.vertexCount(), "boundary curve")));
+      });
   }
 };
 
@@ -126,15 +122,6 @@ std::vector<double> SidesOf(vtkPolyData* mesh, const std::vector<Binding>& place
   return beside;
 }
 
-vtkSmartPointer<vtkDoubleArray> ArrayOf(const char* name, const std::vector<double>& values)
-{
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  return array;
-}
-
 void WriteLine(const std::vector<Vector3>& line,
   const std::vector<double>& t,
   const std::vector<double>& beside,
@@ -161,8 +148,8 @@ void WriteLine(const std::vector<Vector3>& line,
   lines->SetData(ends, ids);
   output->SetPoints(points);
   output->SetLines(lines);
-  output->GetPointData()->AddArray(ArrayOf("CurveT", t));
-  output->GetPointData()->AddArray(ArrayOf("SideDistance", beside));
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("CurveT", t));
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("SideDistance", beside));
 }
 
 void WriteSection(const Section& section, const std::vector<double>& beside, vtkPolyData* output)
@@ -213,82 +200,69 @@ vtkPolyData* vtkOversketchCrossSection::GetSectionOutput()
   return this->GetOutput(1);
 }
 
-int vtkOversketchCrossSection::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* boundary = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* planes = vtkPolyData::GetData(inputs[2]);
+  for (const double component : this->Right)
+  {
+    RequireFinite(component, "Right");
+  }
+  Cache& cache = *this->Internals;
+  vtkPointData* data = mesh->GetPointData();
+  const StepKey key(
+    { MeshKey(mesh, { data->GetNormals(), data->GetArray("CurveDistance"), data->GetArray("CurveSide") }),
+      WholeKey(boundary),
+      WholeKey(planes) },
+    { static_cast<double>(this->Ends),
+      static_cast<double>(this->Walk),
+      this->Right[0],
+      this->Right[1],
+      this->Right[2] });
+  cache.Kept.Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1) },
+    [&](const KeptOutput::Outputs& results)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* boundary = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* planes = vtkPolyData::GetData(inputs[2]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->SectionCount;
+      const Sectioner& cutter = cache.CutterOf(mesh, boundary);
+      const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
+      if (!planes->GetFieldData()->GetArray("PlaneT"))
       {
+        throw Error(Failure::MissingArray, "The planes input has no field array PlaneT: %1.", planesRemedy);
+      }
+      SectionRules rules;
+      rules.ends = this->Ends == Outermost ? SectionRules::Ends::Outermost : SectionRules::Ends::Nearest;
+      rules.plane = this->Walk == Centre ? SectionRules::Plane::Centre : SectionRules::Plane::Across;
+      rules.right = Vector3(this->Right);
+      rules.halfSize = mesh->GetLength();
+      mesh->GetCenter(rules.centre.data());
+      const Section section =
+        cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
+      if (section.points.empty())
+      {
+        if (this->Ends == Nearest)
+        {
+          Warn(this,
+            "From {the reference curve} the plane goes round the model or a limb and back without "
+            "meeting "
+            "{the boundary curve}: there is no profile; slide it along {the reference curve}, or draw "
+            "the "
+            "boundary so that the limb's tip is not inside.");
+        }
+        else
+        {
+          Warn(this,
+            "The plane meets {the boundary curve} fewer than twice: there is no profile; slide it "
+            "along {the reference curve}.");
+        }
         return;
       }
-      for (const double component : this->Right)
-      {
-        RequireFinite(component, "Right");
-      }
-      Cache& cache = *this->Internals;
-      vtkPointData* data = mesh->GetPointData();
-      const StepKey key(
-        { MeshKey(mesh, { data->GetNormals(), data->GetArray("CurveDistance"), data->GetArray("CurveSide") }),
-          WholeKey(boundary),
-          WholeKey(planes) },
-        { static_cast<double>(this->Ends),
-          static_cast<double>(this->Walk),
-          this->Right[0],
-          this->Right[1],
-          this->Right[2] });
-      cache.Profile.Provide(key,
-        vtkPolyData::GetData(outputs, 0),
-        [&](vtkPolyData* result)
-        {
-          ++this->SectionCount;
-          cache.Section->Initialize();
-          const Sectioner& cutter = cache.CutterOf(mesh, boundary);
-          const Matrix4 frame = ReadMatrix(planes->GetFieldData(), "Frame", "planes input", planesRemedy);
-          if (!planes->GetFieldData()->GetArray("PlaneT"))
-          {
-            throw Error(
-              Failure::MissingArray, "The planes input has no field array PlaneT: %1.", planesRemedy);
-          }
-          SectionRules rules;
-          rules.ends = this->Ends == Outermost ? SectionRules::Ends::Outermost : SectionRules::Ends::Nearest;
-          rules.plane = this->Walk == Centre ? SectionRules::Plane::Centre : SectionRules::Plane::Across;
-          rules.right = Vector3(this->Right);
-          rules.halfSize = mesh->GetLength();
-          mesh->GetCenter(rules.centre.data());
-          const Section section =
-            cutter.at(FrameOf(frame), PlaceOf(planes, cache.Data->Surface().vertexCount()), rules);
-          if (section.points.empty())
-          {
-            if (this->Ends == Nearest)
-            {
-              Warn(this,
-                "From {the reference curve} the plane goes round the model or a limb and back without "
-                "meeting "
-                "{the boundary curve}: there is no profile; slide it along {the reference curve}, or draw "
-                "the "
-                "boundary so that the limb's tip is not inside.");
-            }
-            else
-            {
-              Warn(this,
-                "The plane meets {the boundary curve} fewer than twice: there is no profile; slide it "
-                "along {the reference curve}.");
-            }
-            return;
-          }
-          const std::vector<double> beside = SidesOf(mesh, section.places);
-          const FlatProfile profile =
-            cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
-          WriteProfile(profile, planes, result);
-          WriteSection(section, beside, cache.Section);
-        });
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Section);
+      const std::vector<double> beside = SidesOf(mesh, section.places);
+      const FlatProfile profile =
+        cache.Fit.flat(section.points, beside, section.normal, FrameOf(frame).outward);
+      WriteProfile(profile, planes, results[0]);
+      WriteSection(section, beside, results[1]);
     });
 }
 

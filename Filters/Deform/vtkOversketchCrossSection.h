@@ -41,15 +41,15 @@
 #define vtkOversketchCrossSection_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchCrossSection : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchCrossSection : public vtkOversketchFilter
 {
 public:
   static vtkOversketchCrossSection* New();
-  vtkTypeMacro(vtkOversketchCrossSection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchCrossSection, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -119,7 +119,7 @@ protected:
   vtkOversketchCrossSection();
   ~vtkOversketchCrossSection() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchCrossSection(const vtkOversketchCrossSection&) = delete;

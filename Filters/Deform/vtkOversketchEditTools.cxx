@@ -1,14 +1,13 @@
 #include "vtkOversketchEditTools.h"
 
 #include "Mesh/context.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -110,10 +109,7 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
 
 void WriteMatrix(vtkFieldData* data, const char* name, const Matrix4& matrix)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(16);
-  array->SetNumberOfTuples(1);
+  const auto array = NewArray<vtkDoubleArray>(name, 16, 1);
   for (int i = 0; i < 16; ++i)
   {
     array->SetComponent(0, i, matrix(i / 4, i % 4));

@@ -10,7 +10,7 @@
 #include "Matrix/frames.h"
 #include "Matrix/logarithm.h"
 #include "Mesh/place.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include <string>

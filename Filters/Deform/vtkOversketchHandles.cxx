@@ -4,7 +4,6 @@
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -47,10 +46,9 @@ void Write(const std::vector<PlacedHandle>& handles, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  vtkNew<vtkDoubleArray> places, matrices, frames;
-  places->SetName("CurveT");
-  matrices->SetName("Matrix");
-  frames->SetName("Frame");
+  const auto places = NewArray<vtkDoubleArray>("CurveT");
+  const auto matrices = NewArray<vtkDoubleArray>("Matrix");
+  const auto frames = NewArray<vtkDoubleArray>("Frame");
   for (vtkDoubleArray* array : { matrices.Get(), frames.Get() })
   {
     array->SetNumberOfComponents(16);
@@ -88,58 +86,47 @@ void vtkOversketchHandles::SetOperations(const char* text)
   SetText(this, this->Operations, text);
 }
 
-int vtkOversketchHandles::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchHandles::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* further = vtkPolyData::GetData(inputs[2]);
+  Cache& cache = *this->Internals;
+  std::vector<double> text;
+  AddText(text, this->Operations);
+  const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
+                      WholeKey(curve),
+                      further ? WholeKey(further) : MeshKey() },
+    text);
+  cache.Kept.Provide(key,
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* further = vtkPolyData::GetData(inputs[2]);
-      if (mesh->GetNumberOfPoints() == 0)
+      cache.Data = SharedMesh(mesh);
+      const CurveOnMesh reference(curve, *cache.Data);
+      const auto frameAt = [&](double t) { return reference.Frames.at(t); };
+      std::function<Vector3(const Vector2&)> shiftOf;
+      if (!ViewArraysOf(curve).empty())
       {
-        return;
+        shiftOf = [&](const Vector2& pixels) { return ShiftOf(ViewOf(curve), frameAt(0.5).origin, pixels); };
       }
-      Cache& cache = *this->Internals;
-      std::vector<double> text;
-      AddText(text, this->Operations);
-      const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
-                          WholeKey(curve),
-                          further ? WholeKey(further) : MeshKey() },
-        text);
-      cache.Kept.Provide(key,
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
+      const OperatedHandles operated = handlesOf(this->Operations, frameAt, shiftOf);
+      std::vector<PlacedHandle> handles = operated.handles;
+      if (further)
+      {
+        const std::vector<double> places = ReadHandlePlaces(further);
+        const std::vector<Matrix4> matrices = ReadHandleMatrices(further);
+        for (std::size_t i = 0; i < places.size(); ++i)
         {
-          cache.Data = SharedMesh(mesh);
-          const CurveOnMesh reference(curve, *cache.Data);
-          const auto frameAt = [&](double t) { return reference.Frames.at(t); };
-          std::function<Vector3(const Vector2&)> shiftOf;
-          if (!ViewArraysOf(curve).empty())
-          {
-            shiftOf = [&](const Vector2& pixels)
-            { return ShiftOf(ViewOf(curve), frameAt(0.5).origin, pixels); };
-          }
-          const OperatedHandles operated = handlesOf(this->Operations, frameAt, shiftOf);
-          std::vector<PlacedHandle> handles = operated.handles;
-          if (further)
-          {
-            const std::vector<double> places = ReadHandlePlaces(further);
-            const std::vector<Matrix4> matrices = ReadHandleMatrices(further);
-            for (std::size_t i = 0; i < places.size(); ++i)
-            {
-              const CurveFrame frame = reference.Frames.at(places[i]);
-              handles.push_back({ places[i], frame, inWorld(frame, matrices[i]) });
-            }
-          }
-          if (!operated.shift.isZero(0.0))
-          {
-            shiftAll(handles, operated.shift, frameAt);
-          }
-          Write(handles, result);
-        });
+          const CurveFrame frame = reference.Frames.at(places[i]);
+          handles.push_back({ places[i], frame, inWorld(frame, matrices[i]) });
+        }
+      }
+      if (!operated.shift.isZero(0.0))
+      {
+        shiftAll(handles, operated.shift, frameAt);
+      }
+      Write(handles, result);
     });
 }
 

@@ -36,16 +36,16 @@
 #define vtkOversketchHandles_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 #include <string>
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchHandles : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchHandles : public vtkOversketchFilter
 {
 public:
   static vtkOversketchHandles* New();
-  vtkTypeMacro(vtkOversketchHandles, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchHandles, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -76,7 +76,7 @@ protected:
   vtkOversketchHandles();
   ~vtkOversketchHandles() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchHandles(const vtkOversketchHandles&) = delete;

@@ -4,6 +4,7 @@
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMovedPoints.h"
+#include "vtkOversketchRegister.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"
@@ -16,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <mutex>
 #include <string>
 
 using namespace oversketch;
@@ -41,9 +41,7 @@ Handles HandlesOf(vtkPolyData* polyData, int vertexCount)
   }
   Handles handles{ ReadBindings(polyData, vertexCount, "handles", remedy), {}, {} };
   vtkDataArray* targets = RequireArray(polyData->GetPointData(), "Target", 3, count, "handles", remedy);
-  vtkDataArray* ratios = polyData->GetPointData()->HasArray("MergeRatio")
-                           ? RequireArray(polyData->GetPointData(), "MergeRatio", 1, count, "handles", remedy)
-                           : nullptr;
+  vtkDataArray* ratios = OptionalArray(polyData->GetPointData(), "MergeRatio", 1, count, "handles", remedy);
   for (vtkIdType h = 0; h < count; ++h)
   {
     Vector3 position, target;
@@ -69,55 +67,22 @@ Context PartOf(const Context& whole, double from, double to)
   return part;
 }
 
-// The shapes that some filter holds, found again by what they were made from: a system deforms the same
-// region more than once, with other handles. Weak pointers only, so memory goes with the last filter.
-class ShapeRegister
+struct ShapeKey
 {
-public:
-  struct Key
+  MeshKey Mesh;
+  std::vector<char> Movable;
+  bool AdjustNormals;
+  bool operator==(const ShapeKey& other) const
   {
-    MeshKey Mesh;
-    std::vector<char> Movable;
-    bool AdjustNormals;
-    bool operator==(const Key& other) const
-    {
-      return this->Mesh == other.Mesh && this->Movable == other.Movable &&
-             this->AdjustNormals == other.AdjustNormals;
-    }
-  };
-  std::shared_ptr<const LaplacianShape> Find(const Key& key)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (const auto& [known, shape] : this->Entries)
-    {
-      if (known == key)
-      {
-        if (auto found = shape.lock())
-        {
-          return found;
-        }
-      }
-    }
-    return nullptr;
+    return this->Mesh == other.Mesh && this->Movable == other.Movable &&
+           this->AdjustNormals == other.AdjustNormals;
   }
-  void Add(const Key& key, const std::shared_ptr<const LaplacianShape>& shape)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Entries.erase(
-      std::remove_if(
-        this->Entries.begin(), this->Entries.end(), [](const auto& entry) { return entry.second.expired(); }),
-      this->Entries.end());
-    this->Entries.emplace_back(key, shape);
-  }
-
-private:
-  std::mutex Mutex;
-  std::vector<std::pair<Key, std::weak_ptr<const LaplacianShape>>> Entries;
 };
 
-ShapeRegister& Shapes()
+// The shapes that some filter holds: a system deforms the same region more than once, with other handles.
+Register<LaplacianShape, ShapeKey>& Shapes()
 {
-  static ShapeRegister instance;
+  static Register<LaplacianShape, ShapeKey> instance;
   return instance;
 }
 
@@ -282,23 +247,10 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
   return true;
 }
 
-int vtkOversketchLaplacianDeform::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      if (input->GetNumberOfPoints() > 0)
-      {
-        this->Deform(input, vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(outputs));
-      }
-    });
-}
-
-void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handlesInput, vtkPolyData* output)
-{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
   Cache& cache = *this->Internals;
   RequirePolygonsOnly(input); // the keys do not see other cells
   const MeshKey systemKey(input);
@@ -309,7 +261,8 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     input->GetNumberOfPoints(),
     "mesh",
     "vtkOversketchMixtureRegion or another region filter makes it"));
-  const Handles handles = HandlesOf(handlesInput, static_cast<int>(input->GetNumberOfPoints()));
+  const Handles handles =
+    HandlesOf(vtkPolyData::GetData(inputs[1]), static_cast<int>(input->GetNumberOfPoints()));
   const Context context = ContextOf(this);
 
   const bool sameSystem = cache.Shape && cache.SystemKey == systemKey && cache.Region == region &&
@@ -322,7 +275,7 @@ void vtkOversketchLaplacianDeform::Deform(vtkPolyData* input, vtkPolyData* handl
     cache.System.reset();
     cache.Points = nullptr;
     cache.Data = SharedMesh(input);
-    const ShapeRegister::Key key{
+    const ShapeKey key{
       systemKey, movableVertices(cache.Data->Neighbours(), region, handles.Bindings), this->AdjustNormals
     };
     auto shape = Shapes().Find(key);

@@ -39,17 +39,17 @@
 #define vtkOversketchLaplacianDeform_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
 class vtkPoints;
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchLaplacianDeform : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchLaplacianDeform : public vtkOversketchFilter
 {
 public:
   static vtkOversketchLaplacianDeform* New();
-  vtkTypeMacro(vtkOversketchLaplacianDeform, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchLaplacianDeform, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -131,13 +131,11 @@ protected:
   vtkOversketchLaplacianDeform();
   ~vtkOversketchLaplacianDeform() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchLaplacianDeform(const vtkOversketchLaplacianDeform&) = delete;
   void operator=(const vtkOversketchLaplacianDeform&) = delete;
-
-  void Deform(vtkPolyData* input, vtkPolyData* handles, vtkPolyData* output);
 
   bool AdjustNormals = false;
   double HandleWeight = 10.0;

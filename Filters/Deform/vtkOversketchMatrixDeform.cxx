@@ -92,40 +92,30 @@ vtkOversketchMatrixDeform::vtkOversketchMatrixDeform()
 
 vtkOversketchMatrixDeform::~vtkOversketchMatrixDeform() = default;
 
-int vtkOversketchMatrixDeform::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchMatrixDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(StepKey({ WholeKey(mesh), WholeKey(handles) }, {}),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->DeformCount;
+      this->MovedPoints = this->FoldedEdges = 0;
+      cache.ReadRegion(mesh);
+      const Pulls pulls = PullsOf(handles);
+      if (pulls.Still())
       {
+        result->ShallowCopy(mesh);
         return;
       }
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey({ WholeKey(mesh), WholeKey(handles) }, {}),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          ++this->DeformCount;
-          this->MovedPoints = this->FoldedEdges = 0;
-          cache.ReadRegion(mesh);
-          const Pulls pulls = PullsOf(handles);
-          if (pulls.Still())
-          {
-            result->ShallowCopy(mesh);
-            return;
-          }
-          cache.FindShares(pulls.Places);
-          const std::vector<Vector3> places =
-            moved(cache.Patch.rest(), pulls.Logs, cache.Shares, ContextOf(this, 0.0, 0.5));
-          const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.5, 1.0));
-          this->MovedPoints = report.Moved;
-          this->FoldedEdges = report.Folds;
-        });
+      cache.FindShares(pulls.Places);
+      const std::vector<Vector3> places =
+        moved(cache.Patch.rest(), pulls.Logs, cache.Shares, ContextOf(this, 0.0, 0.5));
+      const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.5, 1.0));
+      this->MovedPoints = report.Moved;
+      this->FoldedEdges = report.Folds;
     });
 }
 

@@ -37,15 +37,15 @@
 #define vtkOversketchMatrixDeform_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchMatrixDeform : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchMatrixDeform : public vtkOversketchFilter
 {
 public:
   static vtkOversketchMatrixDeform* New();
-  vtkTypeMacro(vtkOversketchMatrixDeform, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchMatrixDeform, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -72,7 +72,7 @@ protected:
   vtkOversketchMatrixDeform();
   ~vtkOversketchMatrixDeform() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchMatrixDeform(const vtkOversketchMatrixDeform&) = delete;

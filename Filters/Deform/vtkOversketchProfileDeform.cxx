@@ -13,7 +13,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -110,53 +109,43 @@ vtkOversketchProfileDeform::vtkOversketchProfileDeform()
 
 vtkOversketchProfileDeform::~vtkOversketchProfileDeform() = default;
 
-int vtkOversketchProfileDeform::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchProfileDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* profile = vtkPolyData::GetData(inputs[2]);
+  vtkPolyData* drawn = vtkPolyData::GetData(inputs[3]);
+  vtkPolyData* handles = vtkPolyData::GetData(inputs[4]);
+  Cache& cache = *this->Internals;
+  const StepKey key({ WholeKey(mesh),
+                      WholeKey(curve),
+                      WholeKey(profile),
+                      WholeKey(drawn),
+                      handles ? WholeKey(handles) : MeshKey() },
+    { this->UseTexture ? 1.0 : 0.0 });
+  cache.Kept.Provide(key,
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* profile = vtkPolyData::GetData(inputs[2]);
-      vtkPolyData* drawn = vtkPolyData::GetData(inputs[3]);
-      vtkPolyData* handles = vtkPolyData::GetData(inputs[4]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->DeformCount;
+      this->MovedPoints = this->FoldedEdges = 0;
+      if (profile->GetNumberOfPoints() == 0)
       {
+        result->ShallowCopy(mesh);
         return;
       }
-      Cache& cache = *this->Internals;
-      const StepKey key({ WholeKey(mesh),
-                          WholeKey(curve),
-                          WholeKey(profile),
-                          WholeKey(drawn),
-                          handles ? WholeKey(handles) : MeshKey() },
-        { this->UseTexture ? 1.0 : 0.0 });
-      cache.Kept.Provide(key,
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          ++this->DeformCount;
-          this->MovedPoints = this->FoldedEdges = 0;
-          if (profile->GetNumberOfPoints() == 0)
-          {
-            result->ShallowCopy(mesh);
-            return;
-          }
-          cache.ReadRegion(mesh, curve, ContextOf(this, 0.0, 0.3));
-          const std::vector<double> weights =
-            this->UseTexture ? ReadValues(mesh, "EditWeight", cache.Region.vertices, 0.0, 1.0)
-                             : std::vector<double>();
-          const std::vector<Vector3> places = cache.Places(profile,
-            drawn,
-            handles ? ReadHandlePlaces(handles) : std::vector<double>(),
-            weights,
-            ContextOf(this, 0.3, 0.7));
-          const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.7, 1.0));
-          this->MovedPoints = report.Moved;
-          this->FoldedEdges = report.Folds;
-        });
+      cache.ReadRegion(mesh, curve, ContextOf(this, 0.0, 0.3));
+      const std::vector<double> weights = this->UseTexture
+                                            ? ReadValues(mesh, "EditWeight", cache.Region.vertices, 0.0, 1.0)
+                                            : std::vector<double>();
+      const std::vector<Vector3> places = cache.Places(profile,
+        drawn,
+        handles ? ReadHandlePlaces(handles) : std::vector<double>(),
+        weights,
+        ContextOf(this, 0.3, 0.7));
+      const MoveReport report = WriteMoved(mesh, cache.Patch, places, result, ContextOf(this, 0.7, 1.0));
+      this->MovedPoints = report.Moved;
+      this->FoldedEdges = report.Folds;
     });
 }
 

@@ -41,15 +41,15 @@
 #define vtkOversketchProfileDeform_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfileDeform : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfileDeform : public vtkOversketchFilter
 {
 public:
   static vtkOversketchProfileDeform* New();
-  vtkTypeMacro(vtkOversketchProfileDeform, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchProfileDeform, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -94,7 +94,7 @@ protected:
   vtkOversketchProfileDeform();
   ~vtkOversketchProfileDeform() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchProfileDeform(const vtkOversketchProfileDeform&) = delete;

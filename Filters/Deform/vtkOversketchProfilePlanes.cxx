@@ -25,21 +25,18 @@ using namespace oversketch;
 struct vtkOversketchProfilePlanes::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::optional<CurveOnMesh> Reference; // as the plane slides it stays
-  StepKey ReferenceKey;
+  KeptValue<CurveOnMesh> Reference;     // as the plane slides it stays
   KeptOutput Kept;
 
   const CurveOnMesh& CurveOf(vtkPolyData* mesh, vtkPolyData* curve)
   {
     const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) }, {});
-    if (!this->Reference || this->ReferenceKey != key)
-    {
-      this->Reference.reset(); // so that nothing stale is left when making it fails
-      this->Data = SharedMesh(mesh);
-      this->Reference.emplace(curve, *this->Data);
-      this->ReferenceKey = key;
-    }
-    return *this->Reference;
+    return this->Reference.Provide(key,
+      [&]
+      {
+        this->Data = SharedMesh(mesh);
+        return CurveOnMesh(curve, *this->Data);
+      });
   }
 };
 
@@ -55,11 +52,8 @@ void WriteSquares(const CurveFrame& frame, double halfSize, vtkPolyData* output)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> squares;
-  vtkNew<vtkIntArray> planes;
-  vtkNew<vtkDoubleArray> normals;
-  planes->SetName("Plane");
-  normals->SetName("Normals");
-  normals->SetNumberOfComponents(3);
+  const auto planes = NewArray<vtkIntArray>("Plane");
+  const auto normals = NewArray<vtkDoubleArray>("Normals", 3);
   for (int k = 0; k < 3; ++k)
   {
     const Vector3 u = halfSize * axes[(k + 1) % 3], v = axes[k].cross(u);
@@ -87,50 +81,34 @@ vtkOversketchProfilePlanes::vtkOversketchProfilePlanes()
 
 vtkOversketchProfilePlanes::~vtkOversketchProfilePlanes() = default;
 
-int vtkOversketchProfilePlanes::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchProfilePlanes::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
+  RequireFinite(this->T, "T");
+  Cache& cache = *this->Internals;
+  const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) },
+    { this->T, static_cast<double>(this->Frame) });
+  cache.Kept.Provide(key,
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      const CurveOnMesh& reference = cache.CurveOf(mesh, curve);
+      const CurveFrame frame =
+        this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
+      WriteSquares(frame, mesh->GetLength(), result);
+      WriteMatrix(result->GetFieldData(), "Frame", matrixOf(frame));
+      const auto vertices = NewArray<vtkIdTypeArray>("MeshVertices", 3);
+      const auto weights = NewArray<vtkDoubleArray>("MeshWeights", 3);
+      const Binding binding = reference.PlaceAt(this->T);
+      weights->InsertNextTuple(binding.weights.data());
+      for (const int v : binding.vertices)
       {
-        return;
+        vertices->InsertNextValue(v);
       }
-      RequireFinite(this->T, "T");
-      Cache& cache = *this->Internals;
-      const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) },
-        { this->T, static_cast<double>(this->Frame) });
-      cache.Kept.Provide(key,
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          const CurveOnMesh& reference = cache.CurveOf(mesh, curve);
-          const CurveFrame frame =
-            this->Frame == Fitted ? reference.Frames.planesAt(this->T) : reference.Frames.at(this->T);
-          WriteSquares(frame, mesh->GetLength(), result);
-          WriteMatrix(result->GetFieldData(), "Frame", matrixOf(frame));
-          vtkNew<vtkDoubleArray> place, weights;
-          place->SetName("PlaneT");
-          place->InsertNextValue(this->T);
-          vtkNew<vtkIdTypeArray> vertices;
-          vertices->SetName("MeshVertices");
-          vertices->SetNumberOfComponents(3);
-          weights->SetName("MeshWeights");
-          weights->SetNumberOfComponents(3);
-          const Binding binding = reference.PlaceAt(this->T);
-          weights->InsertNextTuple(binding.weights.data());
-          for (const int v : binding.vertices)
-          {
-            vertices->InsertNextValue(v);
-          }
-          result->GetFieldData()->AddArray(place);
-          result->GetFieldData()->AddArray(vertices);
-          result->GetFieldData()->AddArray(weights);
-        });
+      result->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("PlaneT", this->T));
+      result->GetFieldData()->AddArray(vertices);
+      result->GetFieldData()->AddArray(weights);
     });
 }
 

@@ -35,15 +35,15 @@
 #define vtkOversketchProfilePlanes_h
 
 #include "OversketchFiltersDeformModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfilePlanes : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfilePlanes : public vtkOversketchFilter
 {
 public:
   static vtkOversketchProfilePlanes* New();
-  vtkTypeMacro(vtkOversketchProfilePlanes, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchProfilePlanes, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -80,7 +80,7 @@ protected:
   vtkOversketchProfilePlanes();
   ~vtkOversketchProfilePlanes() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchProfilePlanes(const vtkOversketchProfilePlanes&) = delete;

@@ -5,12 +5,9 @@
 #include "Stroke/polyline.h"
 #include "Stroke/resample.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchStrokeView.h"
+#include "vtkOversketchPolylines.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <numeric>
@@ -123,9 +120,6 @@ void LayInPlane(vtkPolyData* profile, const std::string& who, vtkPolyData* drawn
   }
   requireSection(samples, who);
   const double length = arcLengths(samples).back();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
   const double step = length / profileSteps;
   Polyline laid;
   if (samples.size() > profileSamples)
@@ -146,14 +140,10 @@ void LayInPlane(vtkPolyData* profile, const std::string& who, vtkPolyData* drawn
     refuse(
       { "%1 crosses itself near %2; draw it from side to side without a loop.", who, textOf(*crossing) });
   }
-  lines->InsertNextCell(static_cast<int>(laid.size()));
-  for (const Vector2& p : laid)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
+  Polylines line;
+  line.Add(laid);
   drawn->Initialize();
-  drawn->SetPoints(points);
-  drawn->SetLines(lines);
+  line.Put(drawn);
 }
 
 void RequireEndsBeside(vtkPolyData* section, vtkPolyData* drawn, const std::string& who)

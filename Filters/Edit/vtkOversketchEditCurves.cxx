@@ -6,8 +6,8 @@
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -69,8 +69,7 @@ void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
   const std::pair<const char*, int> values[] = { { "StrokeId", 0 }, { "Closed", closed ? 1 : 0 } };
   for (const auto& [name, value] : values)
   {
-    vtkNew<vtkIntArray> array;
-    array->SetName(name);
+    const auto array = NewArray<vtkIntArray>(name);
     for (vtkIdType i = 0; i < runs; ++i)
     {
       array->InsertNextValue(value);
@@ -139,8 +138,7 @@ void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context
   const vtkIdType count = curve->GetNumberOfPoints();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkIdTypeArray> triangles;
-  triangles->SetName("MeshCell");
+  const auto triangles = NewArray<vtkIdTypeArray>("MeshCell");
   std::vector<Binding> bindings;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -225,21 +223,10 @@ RedrawnPart PartRedrawn(vtkPolyData* redrawn)
   {
     even.pop_back();
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(even.size()) + isRing);
-  for (const Vector2& p : even)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  if (isRing)
-  {
-    lines->InsertCellPoint(0);
-  }
+  Polylines lines;
+  lines.Add(even, isRing);
   part.Stroke = vtkSmartPointer<vtkPolyData>::New();
-  part.Stroke->SetPoints(points);
-  part.Stroke->SetLines(lines);
+  lines.Put(part.Stroke);
   for (vtkDataArray* array : ViewArraysOf(redrawn))
   {
     part.Stroke->GetCellData()->AddArray(array);
@@ -409,8 +396,7 @@ void FollowSources(vtkPolyData* before, vtkPolyData* redrawn)
   vtkDataArray* places = before->GetPointData()->GetArray("CurveT");
   vtkDataArray* sources = before->GetPointData()->GetArray("SourceT");
   vtkDataArray* own = redrawn->GetPointData()->GetArray("SourceT");
-  vtkNew<vtkDoubleArray> followed;
-  followed->SetName("SourceT");
+  const auto followed = NewArray<vtkDoubleArray>("SourceT");
   vtkIdType k = 0; // both rise
   for (vtkIdType i = 0; i < own->GetNumberOfTuples(); ++i)
   {

@@ -2,9 +2,9 @@
 
 #include "Mesh/nearest.h"
 #include "Remesh/limb_runs.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

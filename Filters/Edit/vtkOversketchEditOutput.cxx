@@ -2,7 +2,7 @@
 #include "vtkOversketchEditPipeline.h"
 
 #include "Mesh/weld.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSources.h"
 
@@ -39,10 +39,9 @@ void PutCurve(vtkPolyData* curve,
 {
   output->ShallowCopy(curve);
   vtkDataArray* before = curve->GetPointData()->GetArray("VertexId");
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  const auto vertices = NewArray<vtkIdTypeArray>("VertexId");
   for (vtkIdType i = 0; i < curve->GetNumberOfPoints(); ++i)
   {
     const auto vertex = static_cast<vtkIdType>(before->GetComponent(i, 0));

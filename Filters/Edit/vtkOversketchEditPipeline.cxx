@@ -1,9 +1,9 @@
 #include "vtkOversketchEditPipeline.h"
 
 #include "Shading/layer_list.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchEditCurves.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -283,10 +283,7 @@ void vtkOversketchEdit::Pipeline::AddNormals()
   if (!this->RestNormals || this->NormalsSeen != ofMesh)
   {
     const auto data = SharedMesh(this->Boundary.Made.Mesh);
-    auto normals = vtkSmartPointer<vtkFloatArray>::New();
-    normals->SetName("Normals");
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(this->Boundary.Made.Mesh->GetNumberOfPoints());
+    const auto normals = NewArray<vtkFloatArray>("Normals", 3, this->Boundary.Made.Mesh->GetNumberOfPoints());
     for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
     {
       normals->SetTuple(i, data->Normals()[static_cast<std::size_t>(i)].data());

@@ -3,7 +3,7 @@
 
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchEditCurves.h"
-#include "vtkOversketchStrokeView.h"
+#include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

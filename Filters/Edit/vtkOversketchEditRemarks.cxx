@@ -3,7 +3,7 @@
 #include "Intersection/crossing_faces.h"
 #include "Matrix/logarithm.h"
 #include "Ray/surface_rays.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -11,7 +11,6 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 

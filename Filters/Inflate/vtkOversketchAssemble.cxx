@@ -82,10 +82,7 @@ int countOf(vtkPolyData* part)
 void setCoordinates(vtkPolyData* part)
 {
   vtkDataArray* own = part->GetPointData()->GetTCoords();
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetName("TCoords");
-  coordinates->SetNumberOfComponents(2);
-  coordinates->SetNumberOfTuples(part->GetNumberOfPoints());
+  const auto coordinates = NewArray<vtkDoubleArray>("TCoords", 2, part->GetNumberOfPoints());
   for (vtkIdType i = 0; i < part->GetNumberOfPoints(); ++i)
   {
     for (int c = 0; c < 2; ++c)
@@ -143,9 +140,7 @@ vtkSmartPointer<vtkPolyData> placed(vtkPolyData* part, int number, bool withCoor
     setCoordinates(result);
   }
   vtkDataArray* own = part->GetCellData()->GetArray("PartId");
-  vtkNew<vtkIntArray> parts;
-  parts->SetName("PartId");
-  parts->SetNumberOfTuples(part->GetNumberOfPolys());
+  const auto parts = NewArray<vtkIntArray>("PartId", 1, part->GetNumberOfPolys());
   for (vtkIdType f = 0; f < part->GetNumberOfPolys(); ++f)
   {
     parts->SetValue(f, number + (own ? static_cast<int>(own->GetComponent(f, 0)) : 0));
@@ -242,9 +237,4 @@ int vtkOversketchAssemble::RequestData(vtkInformation*,
       }
       output->SetFieldData(fields);
     });
-}
-
-void vtkOversketchAssemble::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

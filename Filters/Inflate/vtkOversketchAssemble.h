@@ -36,7 +36,6 @@ class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchAssemble : public vtkPolyData
 public:
   static vtkOversketchAssemble* New();
   vtkTypeMacro(vtkOversketchAssemble, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
 protected:
   vtkOversketchAssemble();

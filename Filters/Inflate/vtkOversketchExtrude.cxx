@@ -6,16 +6,14 @@
 #include "vtkOversketchPlanarTools.h"
 #include "vtkOversketchSolidTools.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 using namespace oversketch;
 
-struct vtkOversketchExtrude::Cache
+struct vtkOversketchExtrude::Cache : KeptOutput
 {
-  KeptOutput Surface;
 };
 
 vtkStandardNewMacro(vtkOversketchExtrude);
@@ -27,34 +25,24 @@ vtkOversketchExtrude::vtkOversketchExtrude()
 
 vtkOversketchExtrude::~vtkOversketchExtrude() = default;
 
-int vtkOversketchExtrude::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchExtrude::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  RequireFinite(this->Depth, "Depth");
+  const Context context = ContextOf(this);
+  context.checkpoint(0.0);
+  const double depth = this->Depth == 0.0 ? 0.1 * CanvasOf(mesh).longest() : this->Depth;
+  this->Internals->Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      RequireFinite(this->Depth, "Depth");
-      const Context context = ContextOf(this);
-      context.checkpoint(0.0);
-      const double depth = this->Depth == 0.0 ? 0.1 * CanvasOf(mesh).longest() : this->Depth;
-      this->Internals->Surface.Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          ++this->ExtrudeCount;
-          const PlanarMesh planar = PlanarMeshOf(mesh);
-          context.checkpoint(0.3);
-          const Solid solid = extrude(
-            planar, depth, this->WallRows == 1 ? oversketch::WallRows::One : oversketch::WallRows::Refined);
-          context.checkpoint(0.7);
-          WriteSolid(solid, mesh, result);
-        });
+      ++this->ExtrudeCount;
+      const PlanarMesh planar = PlanarMeshOf(mesh);
+      context.checkpoint(0.3);
+      const Solid solid = extrude(
+        planar, depth, this->WallRows == 1 ? oversketch::WallRows::One : oversketch::WallRows::Refined);
+      context.checkpoint(0.7);
+      WriteSolid(solid, mesh, result);
     });
 }
 

@@ -30,15 +30,15 @@
 #define vtkOversketchExtrude_h
 
 #include "OversketchFiltersInflateModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchExtrude : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchExtrude : public vtkOversketchFilter
 {
 public:
   static vtkOversketchExtrude* New();
-  vtkTypeMacro(vtkOversketchExtrude, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchExtrude, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -66,7 +66,7 @@ protected:
   vtkOversketchExtrude();
   ~vtkOversketchExtrude() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchExtrude(const vtkOversketchExtrude&) = delete;

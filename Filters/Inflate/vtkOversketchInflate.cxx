@@ -16,7 +16,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -76,16 +75,8 @@ vtkSmartPointer<vtkImageData> imageOf(const Frame& frame,
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   WriteFrame(frame, image);
-  const auto add = [&](const char* name, const std::vector<float>& values)
-  {
-    vtkNew<vtkFloatArray> array;
-    array->SetName(name);
-    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-    std::copy(values.begin(), values.end(), array->GetPointer(0));
-    image->GetPointData()->AddArray(array);
-  };
-  add("LocalMaxSmooth", thickness);
-  add("Ratio", ratio);
+  image->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("LocalMaxSmooth", thickness));
+  image->GetPointData()->AddArray(ArrayOf<vtkFloatArray>("Ratio", ratio));
   image->GetPointData()->SetActiveScalars("LocalMaxSmooth");
   return image;
 }
@@ -126,106 +117,93 @@ int vtkOversketchInflate::RequestInformation(vtkInformation*,
   return 1;
 }
 
-int vtkOversketchInflate::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchInflate::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* image = vtkImageData::GetData(inputs[1]);
+  vtkImageData* heights = vtkImageData::GetData(outputs, 1);
+  RequireFinite(this->HeightFactor, "HeightFactor");
+  RequireFinite(this->LocalMaxSmoothing, "LocalMaxSmoothing");
+  RequireFinite(this->ProfileSmoothing, "ProfileSmoothing");
+  const CrossSection section = CrossSection::parse(this->Profile);
+  const PlanarMesh planar = PlanarMeshOf(mesh);
+  const bool poisson = this->Mode == Poisson;
+  const double spread = this->AsPublished ? 0.0 : std::max(0.0, this->LocalMaxSmoothing);
+  const double round = this->AsPublished            ? 0.0
+                       : this->ProfileSmoothing < 0 ? section.smoothing()
+                                                    : this->ProfileSmoothing;
+  const bool bySection = !poisson && !(round > 0.0);
+  const bool unstretched = this->UnstretchedRims && !this->AsPublished && (!bySection || section.isUpright());
+  Cache& cache = *this->Internals;
+
+  const Frame frame = FrameOf(image);
+  std::vector<double> values{ frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width };
+  const auto key = [&] { return StepKey({ ImageKey(image) }, values); };
+  Cache::Provide(cache.MapsKey,
+    key(),
     [&]
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* image = vtkImageData::GetData(inputs[1]);
-      vtkImageData* heights = vtkImageData::GetData(outputs, 1);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        heights->Initialize();
-        return;
-      }
-      RequireFinite(this->HeightFactor, "HeightFactor");
-      RequireFinite(this->LocalMaxSmoothing, "LocalMaxSmoothing");
-      RequireFinite(this->ProfileSmoothing, "ProfileSmoothing");
-      const CrossSection section = CrossSection::parse(this->Profile);
-      const PlanarMesh planar = PlanarMeshOf(mesh);
-      const bool poisson = this->Mode == Poisson;
-      const double spread = this->AsPublished ? 0.0 : std::max(0.0, this->LocalMaxSmoothing);
-      const double round = this->AsPublished            ? 0.0
-                           : this->ProfileSmoothing < 0 ? section.smoothing()
-                                                        : this->ProfileSmoothing;
-      const bool bySection = !poisson && !(round > 0.0);
-      const bool unstretched =
-        this->UnstretchedRims && !this->AsPublished && (!bySection || section.isUpright());
-      Cache& cache = *this->Internals;
-
-      const Frame frame = FrameOf(image);
-      std::vector<double> values{ frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width };
-      const auto key = [&] { return StepKey({ ImageKey(image) }, values); };
-      Cache::Provide(cache.MapsKey,
-        key(),
-        [&]
-        {
-          cache.ThicknessKey = cache.RatioKey = StepKey();
-          cache.Image = nullptr;
-          cache.Grid = nullptr;
-          cache.Maps = UphillMapsOf(image, ContextOf(this, 0.0, 0.05));
-          cache.Grid = std::make_unique<GridSmoothing>(cache.Maps, gridStep, ContextOf(this, 0.05, 0.2));
-        });
-      // A smoothed circle's heights do not ask for the thickness.
-      if (!poisson && !(round > 0.0 && section.isCircle()))
-      {
-        values.push_back(spread);
-        this->ThicknessCount += Cache::Provide(cache.ThicknessKey,
-          key(),
-          [&]
-          {
-            cache.RatioKey = StepKey();
-            cache.Smooth = cache.Grid->thickness(spread, ContextOf(this, 0.2, 0.5));
-          });
-      }
-      values.push_back(this->Mode);
-      if (!poisson)
-      {
-        values.push_back(round);
-        AddText(values, this->Profile);
-      }
-      this->RatioCount += Cache::Provide(cache.RatioKey,
-        key(),
-        [&]
-        {
-          cache.Image = nullptr;
-          const Context context = ContextOf(this, 0.5, 0.9);
-          const auto squares = [&]
-          {
-            return round > 0.0 && section.isCircle()
-                     ? roundSquares(cache.Maps, context)
-                     : sectionSquares(cache.Maps, cache.Smooth, section, context);
-          };
-          cache.Ratio = poisson       ? cache.Grid->poissonRatio(context)
-                        : round > 0.0 ? cache.Grid->profileRatio(squares(), round, context)
-                                      : OverDistance(cache.Maps, squares());
-          cache.Thickness = bySection ? cache.Smooth : roundThickness(cache.Maps, cache.Ratio);
-          cache.Image = imageOf(frame, cache.Thickness, cache.Ratio);
-        });
-      values.push_back(this->HeightFactor);
-      values.push_back(unstretched);
-      cache.Surface.Provide(StepKey({ WholeKey(mesh), ImageKey(image) }, values),
-        vtkPolyData::GetData(outputs, 0),
-        [&](vtkPolyData* result)
-        {
-          ++this->InflateCount;
-          const HeightMaps maps{
-            cache.Maps, cache.Thickness, cache.Ratio, bySection ? Inflation::Section : Inflation::Ratio
-          };
-          const Context context = ContextOf(this, 0.9, 1.0);
-          PlanarMesh moved = unstretched ? unstretch(planar, maps, context) : planar;
-          const std::vector<double> points = heightsOf(moved, maps, section, this->HeightFactor, context);
-          if (unstretched)
-          {
-            swapEdges(moved, points, maps, section, this->HeightFactor, context);
-          }
-          WriteSolid(inflate(moved, points), mesh, result);
-        });
-      heights->ShallowCopy(cache.Image);
+      cache.ThicknessKey = cache.RatioKey = StepKey();
+      cache.Image = nullptr;
+      cache.Grid = nullptr;
+      cache.Maps = UphillMapsOf(image, ContextOf(this, 0.0, 0.05));
+      cache.Grid = std::make_unique<GridSmoothing>(cache.Maps, gridStep, ContextOf(this, 0.05, 0.2));
     });
+  // A smoothed circle's heights do not ask for the thickness.
+  if (!poisson && !(round > 0.0 && section.isCircle()))
+  {
+    values.push_back(spread);
+    this->ThicknessCount += Cache::Provide(cache.ThicknessKey,
+      key(),
+      [&]
+      {
+        cache.RatioKey = StepKey();
+        cache.Smooth = cache.Grid->thickness(spread, ContextOf(this, 0.2, 0.5));
+      });
+  }
+  values.push_back(this->Mode);
+  if (!poisson)
+  {
+    values.push_back(round);
+    AddText(values, this->Profile);
+  }
+  this->RatioCount += Cache::Provide(cache.RatioKey,
+    key(),
+    [&]
+    {
+      cache.Image = nullptr;
+      const Context context = ContextOf(this, 0.5, 0.9);
+      const auto squares = [&]
+      {
+        return round > 0.0 && section.isCircle() ? roundSquares(cache.Maps, context)
+                                                 : sectionSquares(cache.Maps, cache.Smooth, section, context);
+      };
+      cache.Ratio = poisson       ? cache.Grid->poissonRatio(context)
+                    : round > 0.0 ? cache.Grid->profileRatio(squares(), round, context)
+                                  : OverDistance(cache.Maps, squares());
+      cache.Thickness = bySection ? cache.Smooth : roundThickness(cache.Maps, cache.Ratio);
+      cache.Image = imageOf(frame, cache.Thickness, cache.Ratio);
+    });
+  values.push_back(this->HeightFactor);
+  values.push_back(unstretched);
+  cache.Surface.Provide(StepKey({ WholeKey(mesh), ImageKey(image) }, values),
+    vtkPolyData::GetData(outputs, 0),
+    [&](vtkPolyData* result)
+    {
+      ++this->InflateCount;
+      const HeightMaps maps{
+        cache.Maps, cache.Thickness, cache.Ratio, bySection ? Inflation::Section : Inflation::Ratio
+      };
+      const Context context = ContextOf(this, 0.9, 1.0);
+      PlanarMesh moved = unstretched ? unstretch(planar, maps, context) : planar;
+      const std::vector<double> points = heightsOf(moved, maps, section, this->HeightFactor, context);
+      if (unstretched)
+      {
+        swapEdges(moved, points, maps, section, this->HeightFactor, context);
+      }
+      WriteSolid(inflate(moved, points), mesh, result);
+    });
+  heights->ShallowCopy(cache.Image);
 }
 
 void vtkOversketchInflate::PrintSelf(ostream& os, vtkIndent indent)

@@ -46,18 +46,18 @@
 #define vtkOversketchInflate_h
 
 #include "OversketchFiltersInflateModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 #include <string>
 
 class vtkImageData;
 
-class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchInflate : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchInflate : public vtkOversketchFilter
 {
 public:
   static vtkOversketchInflate* New();
-  vtkTypeMacro(vtkOversketchInflate, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchInflate, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -161,7 +161,7 @@ protected:
   ~vtkOversketchInflate() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchInflate(const vtkOversketchInflate&) = delete;

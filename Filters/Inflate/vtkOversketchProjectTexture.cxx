@@ -25,9 +25,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchProjectTexture::Cache
+struct vtkOversketchProjectTexture::Cache : KeptOutput
 {
-  KeptOutput Mesh;
 };
 
 vtkStandardNewMacro(vtkOversketchProjectTexture);
@@ -78,8 +77,7 @@ std::vector<char> separateBack(vtkPolyData* mesh, vtkPolyData* result)
   result->GetPointData()->CopyAllOn();
   CopyElements(mesh->GetPointData(), sources, result->GetPointData());
   vtkNew<vtkCellArray> polys;
-  vtkNew<vtkIntArray> parts;
-  parts->SetName("PartId");
+  const auto parts = NewArray<vtkIntArray>("PartId");
   for (vtkIdType face = 0; face < faces; ++face)
   {
     mesh->GetPolys()->GetCellAtId(face, ids);
@@ -110,56 +108,38 @@ vtkOversketchProjectTexture::vtkOversketchProjectTexture()
 
 vtkOversketchProjectTexture::~vtkOversketchProjectTexture() = default;
 
-int vtkOversketchProjectTexture::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchProjectTexture::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* picture = vtkImageData::GetData(inputs[1]);
+  const bool apart = vtkImageData::GetData(inputs[2]) != nullptr;
+  ContextOf(this).checkpoint(0.0);
+  const Canvas canvas = picture ? PlaceOf(picture).Rectangle : CanvasOf(mesh);
+  this->Internals->Provide(
+    StepKey({ WholeKey(mesh) },
+      { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1], apart ? 1.0 : 0.0 }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* picture = vtkImageData::GetData(inputs[1]);
-      const bool apart = vtkImageData::GetData(inputs[2]) != nullptr;
-      if (mesh->GetNumberOfPoints() == 0)
+      std::vector<char> back;
+      if (apart)
       {
-        return;
+        back = separateBack(mesh, result);
       }
-      ContextOf(this).checkpoint(0.0);
-      const Canvas canvas = picture ? PlaceOf(picture).Rectangle : CanvasOf(mesh);
-      this->Internals->Mesh.Provide(
-        StepKey({ WholeKey(mesh) },
-          { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1], apart ? 1.0 : 0.0 }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          std::vector<char> back;
-          if (apart)
-          {
-            back = separateBack(mesh, result);
-          }
-          else
-          {
-            result->ShallowCopy(mesh);
-          }
-          const vtkIdType count = result->GetNumberOfPoints();
-          back.resize(static_cast<std::size_t>(count), 0);
-          vtkNew<vtkDoubleArray> coordinates;
-          coordinates->SetName("TCoords");
-          coordinates->SetNumberOfComponents(2);
-          coordinates->SetNumberOfTuples(count);
-          for (vtkIdType i = 0; i < count; ++i)
-          {
-            const Vector2 at(result->GetPoint(i));
-            const Vector2 place = back[static_cast<std::size_t>(i)] ? backTextureCoordinates(canvas, at)
-                                                                    : textureCoordinates(canvas, at);
-            coordinates->SetTuple(i, place.data());
-          }
-          result->GetPointData()->SetTCoords(coordinates);
-        });
+      else
+      {
+        result->ShallowCopy(mesh);
+      }
+      const vtkIdType count = result->GetNumberOfPoints();
+      back.resize(static_cast<std::size_t>(count), 0);
+      const auto coordinates = NewArray<vtkDoubleArray>("TCoords", 2, count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        const Vector2 at(result->GetPoint(i));
+        const Vector2 place = back[static_cast<std::size_t>(i)] ? backTextureCoordinates(canvas, at)
+                                                                : textureCoordinates(canvas, at);
+        coordinates->SetTuple(i, place.data());
+      }
+      result->GetPointData()->SetTCoords(coordinates);
     });
-}
-
-void vtkOversketchProjectTexture::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
 }

@@ -32,16 +32,15 @@
 #define vtkOversketchProjectTexture_h
 
 #include "OversketchFiltersInflateModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchProjectTexture : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchProjectTexture : public vtkOversketchFilter
 {
 public:
   static vtkOversketchProjectTexture* New();
-  vtkTypeMacro(vtkOversketchProjectTexture, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkOversketchProjectTexture, vtkOversketchFilter);
 
   /**
    * The picture, on port 1.
@@ -59,7 +58,7 @@ protected:
   vtkOversketchProjectTexture();
   ~vtkOversketchProjectTexture() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchProjectTexture(const vtkOversketchProjectTexture&) = delete;

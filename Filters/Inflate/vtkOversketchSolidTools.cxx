@@ -35,33 +35,17 @@ void copyBySource(vtkDataSetAttributes* from, const std::vector<Element>& elemen
   CopyElements(from, sources, to);
 }
 
-template <typename Element>
-void addSides(const std::vector<Element>& elements, vtkDataSetAttributes* to)
-{
-  vtkNew<vtkIntArray> sides;
-  sides->SetName("Side");
-  for (const Element& element : elements)
-  {
-    sides->InsertNextValue(element.side);
-  }
-  to->AddArray(sides);
-}
-
 } // namespace
 
 void WriteSolid(const Solid& solid, vtkPolyData* input, vtkPolyData* output)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> displacements;
-  displacements->SetName("Displacement");
-  vtkNew<vtkIntArray> planar;
-  planar->SetName("PlanarId");
+  const auto displacements = NewArray<vtkDoubleArray>("Displacement");
   for (const SolidPoint& point : solid.points)
   {
     points->InsertNextPoint(point.place.data());
     displacements->InsertNextValue(std::abs(point.place[2]));
-    planar->InsertNextValue(point.planar);
   }
   vtkNew<vtkCellArray> polys;
   for (const SolidFace& face : solid.faces)
@@ -76,10 +60,10 @@ void WriteSolid(const Solid& solid, vtkPolyData* input, vtkPolyData* output)
   output->SetPolys(polys);
   copyBySource(input->GetPointData(), solid.points, output->GetPointData());
   output->GetPointData()->AddArray(displacements);
-  output->GetPointData()->AddArray(planar);
-  addSides(solid.points, output->GetPointData());
+  output->GetPointData()->AddArray(ArrayOf<vtkIntArray>("PlanarId", solid.points, &SolidPoint::planar));
+  output->GetPointData()->AddArray(ArrayOf<vtkIntArray>("Side", solid.points, &SolidPoint::side));
   copyBySource(input->GetCellData(), solid.faces, output->GetCellData());
-  addSides(solid.faces, output->GetCellData());
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Side", solid.faces, &SolidFace::side));
   if (vtkDataArray* bases = output->GetCellData()->GetArray("BaseFaceId"))
   {
     for (std::size_t f = 0; f < solid.faces.size(); ++f)

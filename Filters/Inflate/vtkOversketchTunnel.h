@@ -26,15 +26,15 @@
 #define vtkOversketchTunnel_h
 
 #include "OversketchFiltersInflateModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchTunnel : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchTunnel : public vtkOversketchFilter
 {
 public:
   static vtkOversketchTunnel* New();
-  vtkTypeMacro(vtkOversketchTunnel, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchTunnel, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -61,7 +61,7 @@ protected:
   vtkOversketchTunnel();
   ~vtkOversketchTunnel() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchTunnel(const vtkOversketchTunnel&) = delete;

@@ -172,9 +172,7 @@ void vtkOversketchInflateDrawing::Pipeline::FeedStrokes(vtkPolyData* strokes)
   this->Strokes->ShallowCopy(strokes);
   if (this->Self->Magnetic)
   {
-    vtkNew<vtkIntArray> magnetic;
-    magnetic->SetName("Magnetic");
-    magnetic->SetNumberOfTuples(strokes->GetNumberOfCells());
+    const auto magnetic = NewArray<vtkIntArray>("Magnetic", 1, strokes->GetNumberOfCells());
     magnetic->FillValue(1);
     this->Strokes->GetCellData()->AddArray(magnetic);
   }

@@ -1,6 +1,6 @@
 #include "vtkOversketchOneStrokePipeline.h"
 
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"

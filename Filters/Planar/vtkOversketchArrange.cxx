@@ -7,7 +7,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -20,9 +19,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchArrange::Cache
+struct vtkOversketchArrange::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchArrange);
@@ -34,14 +32,10 @@ namespace
 void writeArranged(const std::vector<ArrangedCurve>& arranged, const Canvas& canvas, vtkPolyData* output)
 {
   std::vector<CanvasStroke> curves;
-  vtkNew<vtkUnsignedCharArray> nodes;
-  nodes->SetName("Node");
-  vtkNew<vtkIntArray> strokes;
-  strokes->SetName("StrokeId");
+  const auto nodes = NewArray<vtkUnsignedCharArray>("Node");
   for (const ArrangedCurve& one : arranged)
   {
     curves.push_back({ one.curve.points, one.curve.closed });
-    strokes->InsertNextValue(one.stroke);
     for (std::size_t k = 0; k < one.curve.points.size(); ++k)
     {
       nodes->InsertNextValue(one.curve.isNode(static_cast<int>(k)) ? 1 : 0);
@@ -49,7 +43,7 @@ void writeArranged(const std::vector<ArrangedCurve>& arranged, const Canvas& can
   }
   WriteCurves(curves, canvas, output);
   output->GetPointData()->AddArray(nodes);
-  output->GetCellData()->AddArray(strokes);
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("StrokeId", arranged, &ArrangedCurve::stroke));
 }
 
 // The cell arrays of the strokes that curves are parts of; `strokes`: their cells.
@@ -78,35 +72,25 @@ vtkOversketchArrange::vtkOversketchArrange()
 
 vtkOversketchArrange::~vtkOversketchArrange() = default;
 
-int vtkOversketchArrange::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const MeshKey read(curves,
+    { curves->GetFieldData()->GetArray("Canvas"),
+      curves->GetFieldData()->GetArray("Resolution"),
+      curves->GetCellData()->GetArray("StrokeId") });
+  this->Internals->Provide(StepKey({ read }, { this->JoinDistance }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      if (curves->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      const MeshKey read(curves,
-        { curves->GetFieldData()->GetArray("Canvas"),
-          curves->GetFieldData()->GetArray("Resolution"),
-          curves->GetCellData()->GetArray("StrokeId") });
-      this->Internals->Kept.Provide(StepKey({ read }, { this->JoinDistance }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->ArrangementCount;
-          const Canvas canvas = CanvasOf(curves);
-          const Frame frame = RasterOf(curves);
-          const double reach = this->JoinDistance * canvas.longest() / frame.spacing;
-          writeArranged(arrange(frame, StrokesOf(curves), reach, ContextOf(this)), canvas, result);
-        });
-      passStrokeArrays(curves, output->GetCellData()->GetArray("StrokeId"), output);
+      ++this->ArrangementCount;
+      const Canvas canvas = CanvasOf(curves);
+      const Frame frame = RasterOf(curves);
+      const double reach = this->JoinDistance * canvas.longest() / frame.spacing;
+      writeArranged(arrange(frame, StrokesOf(curves), reach, ContextOf(this)), canvas, result);
     });
+  passStrokeArrays(curves, output->GetCellData()->GetArray("StrokeId"), output);
 }
 
 void vtkOversketchArrange::PrintSelf(ostream& os, vtkIndent indent)

@@ -33,15 +33,15 @@
 #define vtkOversketchArrange_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchArrange : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchArrange : public vtkOversketchFilter
 {
 public:
   static vtkOversketchArrange* New();
-  vtkTypeMacro(vtkOversketchArrange, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchArrange, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -63,7 +63,7 @@ protected:
   vtkOversketchArrange();
   ~vtkOversketchArrange() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchArrange(const vtkOversketchArrange&) = delete;

@@ -63,11 +63,7 @@ void writeLabels(const Classification& classification, const Frame& frame, vtkIm
 {
   image->Initialize();
   WriteFrame(frame, image);
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("Labels");
-  labels->SetNumberOfTuples(static_cast<vtkIdType>(classification.labels.size()));
-  std::copy(classification.labels.begin(), classification.labels.end(), labels->GetPointer(0));
-  image->GetPointData()->SetScalars(labels);
+  image->GetPointData()->SetScalars(ArrayOf<vtkIntArray>("Labels", classification.labels));
 }
 
 } // namespace
@@ -134,10 +130,7 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
           result->SetPoints(curves->GetPoints());
           result->SetLines(curves->GetLines());
           WriteClassification(classification, result);
-          vtkNew<vtkIntArray> resolution;
-          resolution->SetName("Resolution");
-          resolution->InsertNextValue(this->Resolution);
-          result->GetFieldData()->AddArray(resolution);
+          result->GetFieldData()->AddArray(OneValue<vtkIntArray>("Resolution", this->Resolution));
         });
       for (const Message& warning : cache.Warnings)
       {

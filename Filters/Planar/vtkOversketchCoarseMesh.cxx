@@ -9,7 +9,6 @@
 
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -18,10 +17,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCoarseMesh::Cache
+struct vtkOversketchCoarseMesh::Cache : KeptOutput
 {
-  KeptOutput Kept;
-  vtkNew<vtkPolyData> Edges;
 };
 
 vtkStandardNewMacro(vtkOversketchCoarseMesh);
@@ -62,48 +59,36 @@ vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkOversketchCoarseMesh::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* darts = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  std::vector<MeshKey> read{ PlanarKey(polylines) };
+  if (darts)
+  {
+    read.emplace_back(darts);
+  }
+  vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
+  this->Internals->Provide(
+    StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
+    { output, edges },
+    [&](const KeptOutput::Outputs& results)
     {
-      vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* darts = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      if (polylines->GetNumberOfPoints() == 0)
+      ++this->MeshCount;
+      PlanarMesh mesh = triangulate(StrokeLinesOf(polylines), dartsOf(darts), ContextOf(this));
+      if (this->TerminalRule != NONE)
       {
-        return;
+        mesh = repairTerminals(mesh,
+          this->TerminalRule == TWO_BOUNDARY_EDGES ? oversketch::TerminalRule::TwoBoundaryEdges
+                                                   : oversketch::TerminalRule::ThreeBoundaryVertices);
       }
-      Cache& cache = *this->Internals;
-      std::vector<MeshKey> read{ PlanarKey(polylines) };
-      if (darts)
-      {
-        read.emplace_back(darts);
-      }
-      cache.Kept.Provide(StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->MeshCount;
-          PlanarMesh mesh = triangulate(StrokeLinesOf(polylines), dartsOf(darts), ContextOf(this));
-          if (this->TerminalRule != NONE)
-          {
-            mesh = repairTerminals(mesh,
-              this->TerminalRule == TWO_BOUNDARY_EDGES ? oversketch::TerminalRule::TwoBoundaryEdges
-                                                       : oversketch::TerminalRule::ThreeBoundaryVertices);
-          }
-          mesh = this->Relax ? relaxed(mesh) : mesh;
-          WritePlanarMesh(mesh, result);
-          cache.Edges->Initialize();
-          WriteStrokeEdges(mesh, result, cache.Edges);
-        });
-      vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-      edges->ShallowCopy(cache.Edges);
-      output->GetFieldData()->PassData(polylines->GetFieldData());
-      edges->GetFieldData()->PassData(polylines->GetFieldData());
+      mesh = this->Relax ? relaxed(mesh) : mesh;
+      WritePlanarMesh(mesh, results[0]);
+      WriteStrokeEdges(mesh, results[0], results[1]);
     });
+  output->GetFieldData()->PassData(polylines->GetFieldData());
+  edges->GetFieldData()->PassData(polylines->GetFieldData());
 }
 
 void vtkOversketchCoarseMesh::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,15 +35,15 @@
 #define vtkOversketchCoarseMesh_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchCoarseMesh : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchCoarseMesh : public vtkOversketchFilter
 {
 public:
   static vtkOversketchCoarseMesh* New();
-  vtkTypeMacro(vtkOversketchCoarseMesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchCoarseMesh, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Rule
@@ -96,7 +96,7 @@ protected:
   vtkOversketchCoarseMesh();
   ~vtkOversketchCoarseMesh() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchCoarseMesh(const vtkOversketchCoarseMesh&) = delete;

@@ -34,51 +34,44 @@ vtkOversketchDarts::vtkOversketchDarts()
 
 vtkOversketchDarts::~vtkOversketchDarts() = default;
 
-int vtkOversketchDarts::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchDarts::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* distance = vtkImageData::GetData(inputs[1]);
+  if (this->AsPublished || this->DartMode == OFF)
+  {
+    return;
+  }
+  if (!distance || distance->GetNumberOfPoints() == 0)
+  {
+    throw Error(Failure::MissingArray,
+      "There is no distance image to throw darts in: connect that of vtkOversketchDistance, or choose "
+      "{DartMode Off}.");
+  }
+  this->Internals->Kept.Provide(StepKey({ PlanarKey(polylines), ImageKey(distance) },
+                                  { static_cast<double>(this->DartMode), static_cast<double>(this->Seed) }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* distance = vtkImageData::GetData(inputs[1]);
-      if (polylines->GetNumberOfPoints() == 0 || this->AsPublished || this->DartMode == OFF)
+      ++this->DartsCount;
+      const Context context = ContextOf(this);
+      const oversketch::DartMode mode =
+        this->DartMode == LOCAL ? oversketch::DartMode::Local : oversketch::DartMode::Published;
+      const std::vector<Vector2> darts = throwDarts(this->Internals->Maps.Of(distance),
+        StrokeLinesOf(polylines),
+        mode,
+        static_cast<unsigned int>(this->Seed),
+        context);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      vtkNew<vtkCellArray> vertices;
+      for (const Vector2& dart : darts)
       {
-        return;
+        const vtkIdType id = points->InsertNextPoint(dart[0], dart[1], 0.0);
+        vertices->InsertNextCell(1, &id);
       }
-      if (!distance || distance->GetNumberOfPoints() == 0)
-      {
-        throw Error(Failure::MissingArray,
-          "There is no distance image to throw darts in: connect that of vtkOversketchDistance, or choose "
-          "{DartMode Off}.");
-      }
-      this->Internals->Kept.Provide(
-        StepKey({ PlanarKey(polylines), ImageKey(distance) },
-          { static_cast<double>(this->DartMode), static_cast<double>(this->Seed) }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          ++this->DartsCount;
-          const Context context = ContextOf(this);
-          const oversketch::DartMode mode =
-            this->DartMode == LOCAL ? oversketch::DartMode::Local : oversketch::DartMode::Published;
-          const std::vector<Vector2> darts = throwDarts(this->Internals->Maps.Of(distance),
-            StrokeLinesOf(polylines),
-            mode,
-            static_cast<unsigned int>(this->Seed),
-            context);
-          vtkNew<vtkPoints> points;
-          points->SetDataTypeToDouble();
-          vtkNew<vtkCellArray> vertices;
-          for (const Vector2& dart : darts)
-          {
-            const vtkIdType id = points->InsertNextPoint(dart[0], dart[1], 0.0);
-            vertices->InsertNextCell(1, &id);
-          }
-          result->SetPoints(points);
-          result->SetVerts(vertices);
-        });
+      result->SetPoints(points);
+      result->SetVerts(vertices);
     });
 }
 

@@ -27,15 +27,15 @@
 #define vtkOversketchDarts_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDarts : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDarts : public vtkOversketchFilter
 {
 public:
   static vtkOversketchDarts* New();
-  vtkTypeMacro(vtkOversketchDarts, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchDarts, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Mode
@@ -90,7 +90,7 @@ protected:
   vtkOversketchDarts();
   ~vtkOversketchDarts() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchDarts(const vtkOversketchDarts&) = delete;

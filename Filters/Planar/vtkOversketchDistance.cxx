@@ -58,38 +58,27 @@ int vtkOversketchDistance::RequestInformation(vtkInformation*,
   return DescribeImage(this, outputs->GetInformationObject(1), VTK_FLOAT, RasterOf);
 }
 
-int vtkOversketchDistance::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchDistance::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* image = vtkImageData::GetData(outputs, 1);
-      if (curves->GetNumberOfPoints() == 0)
-      {
-        image->Initialize();
-        return;
-      }
-      const Drawing drawing = DrawingOf(curves);
-      std::vector<Rim> rims = rimsOf(ClassificationOf(curves), drawing.Strokes, drawing.Treatments);
-      Cache& cache = *this->Internals;
-      if (!cache.Answers(rims, drawing.Raster, this->LocalMaxMode))
-      {
-        ++this->DistanceCount;
-        cache.Image = nullptr; // so that nothing stale is left when making fails
-        const ThicknessMode mode = this->LocalMaxMode == LOCAL ? ThicknessMode::Local : ThicknessMode::Global;
-        const auto made = vtkSmartPointer<vtkImageData>::New();
-        WriteDistanceMaps(distanceMaps(drawing.Raster, rims, mode, ContextOf(this)), made);
-        cache.Image = made;
-        cache.Rims = std::move(rims);
-        cache.Raster = drawing.Raster;
-        cache.Mode = this->LocalMaxMode;
-      }
-      vtkPolyData::GetData(outputs, 0)->ShallowCopy(curves);
-      image->ShallowCopy(cache.Image);
-    });
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* image = vtkImageData::GetData(outputs, 1);
+  const Drawing drawing = DrawingOf(curves);
+  std::vector<Rim> rims = rimsOf(ClassificationOf(curves), drawing.Strokes, drawing.Treatments);
+  Cache& cache = *this->Internals;
+  if (!cache.Answers(rims, drawing.Raster, this->LocalMaxMode))
+  {
+    ++this->DistanceCount;
+    cache.Image = nullptr; // so that nothing stale is left when making fails
+    const ThicknessMode mode = this->LocalMaxMode == LOCAL ? ThicknessMode::Local : ThicknessMode::Global;
+    const auto made = vtkSmartPointer<vtkImageData>::New();
+    WriteDistanceMaps(distanceMaps(drawing.Raster, rims, mode, ContextOf(this)), made);
+    cache.Image = made;
+    cache.Rims = std::move(rims);
+    cache.Raster = drawing.Raster;
+    cache.Mode = this->LocalMaxMode;
+  }
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(curves);
+  image->ShallowCopy(cache.Image);
 }
 
 void vtkOversketchDistance::PrintSelf(ostream& os, vtkIndent indent)

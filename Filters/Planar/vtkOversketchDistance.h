@@ -32,17 +32,17 @@
 #define vtkOversketchDistance_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
 class vtkImageData;
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDistance : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDistance : public vtkOversketchFilter
 {
 public:
   static vtkOversketchDistance* New();
-  vtkTypeMacro(vtkOversketchDistance, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchDistance, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Mode
@@ -77,7 +77,7 @@ protected:
   ~vtkOversketchDistance() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchDistance(const vtkOversketchDistance&) = delete;

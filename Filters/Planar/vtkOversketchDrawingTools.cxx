@@ -28,16 +28,6 @@ namespace
 
 const char* const classArrays[] = { "Role", "RegionId", "ChildRegionId", "ObjectId" };
 
-template <typename Array, typename Value>
-void addArray(vtkDataSetAttributes* to, const char* name, const std::vector<Value>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  to->AddArray(array);
-}
-
 template <typename Value>
 std::vector<Value> valuesOf(vtkImageData* image, const char* name)
 {
@@ -220,18 +210,13 @@ Classification ClassificationOf(vtkPolyData* curves)
 
 void WriteClassification(const Classification& classification, vtkPolyData* curves)
 {
-  std::vector<int> values[4];
-  for (const StrokeClass& stroke : classification.strokes)
-  {
-    values[0].push_back(static_cast<int>(stroke.role));
-    values[1].push_back(stroke.region);
-    values[2].push_back(stroke.childRegion);
-    values[3].push_back(stroke.object);
-  }
-  for (int i = 0; i < 4; ++i)
-  {
-    addArray<vtkIntArray>(curves->GetCellData(), classArrays[i], values[i]);
-  }
+  const auto add = [&](int array, const auto& value) {
+    curves->GetCellData()->AddArray(ArrayOf<vtkIntArray>(classArrays[array], classification.strokes, value));
+  };
+  add(0, &StrokeClass::role);
+  add(1, &StrokeClass::region);
+  add(2, &StrokeClass::childRegion);
+  add(3, &StrokeClass::object);
 }
 
 MeshKey DrawingKey(vtkPolyData* curves)
@@ -261,14 +246,7 @@ DistanceMaps DistanceMapsOf(vtkImageData* image)
 
 const DistanceMaps& KeptMaps::Of(vtkImageData* image)
 {
-  const StepKey key({ ImageKey(image) }, {});
-  if (this->Key != key)
-  {
-    this->Key = StepKey();
-    this->Maps = DistanceMapsOf(image);
-    this->Key = key;
-  }
-  return this->Maps;
+  return this->Maps.Provide(StepKey({ ImageKey(image) }, {}), [image] { return DistanceMapsOf(image); });
 }
 
 DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context)
@@ -286,10 +264,10 @@ void WriteDistanceMaps(const DistanceMaps& maps, vtkImageData* image)
 {
   WriteFrame(maps.frame, image);
   vtkPointData* data = image->GetPointData();
-  addArray<vtkFloatArray>(data, "T", maps.distance);
-  addArray<vtkFloatArray>(data, "LocalMax", maps.thickness);
-  addArray<vtkUnsignedCharArray>(data, "Skeleton", maps.skeleton);
-  addArray<vtkIntArray>(data, "Object", maps.object);
+  data->AddArray(ArrayOf<vtkFloatArray>("T", maps.distance));
+  data->AddArray(ArrayOf<vtkFloatArray>("LocalMax", maps.thickness));
+  data->AddArray(ArrayOf<vtkUnsignedCharArray>("Skeleton", maps.skeleton));
+  data->AddArray(ArrayOf<vtkIntArray>("Object", maps.object));
   data->SetActiveScalars("T");
 }
 

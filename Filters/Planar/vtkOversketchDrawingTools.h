@@ -96,8 +96,7 @@ public:
   const DistanceMaps& Of(vtkImageData* image);
 
 private:
-  StepKey Key;
-  DistanceMaps Maps;
+  KeptValue<DistanceMaps> Maps;
 };
 
 /**

@@ -8,7 +8,6 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -16,8 +15,7 @@ using namespace oversketch;
 
 struct vtkOversketchPlanarRefine::Cache
 {
-  KeptOutput Kept; // the mesh
-  vtkNew<vtkPolyData> Edges, Splits;
+  KeptOutput Kept;
   int Inverted = 0, LevelsMade = 0;
 };
 
@@ -73,8 +71,8 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
                              static_cast<double>(options.quads),
                              static_cast<double>(fromSketch),
                              static_cast<double>(onceMore) }),
-        output,
-        [&](vtkPolyData* result)
+        { output, this->GetEdgesOutput(), this->GetSplitsOutput() },
+        [&](const KeptOutput::Outputs& results)
         {
           ++this->RefineCount;
           const Drawing drawing = DrawingOf(curves);
@@ -83,23 +81,19 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
           options.levels = fromSketch ? levelsOfSketch(coarse, options.canvasSide) : options.levels;
           options.levels += onceMore && hasLargeFaces(coarse, options.canvasSide);
           const PlanarRefineResult made = refinePlanar(coarse, drawing.Strokes, options, ContextOf(this));
-          WritePlanarMesh(made.mesh, result);
-          cache.Edges->Initialize();
-          WriteStrokeEdges(made.mesh, result, cache.Edges);
-          cache.Splits->Initialize();
-          WriteSplits(made.splits, drawing.Strokes, cache.Splits);
+          WritePlanarMesh(made.mesh, results[0]);
+          WriteStrokeEdges(made.mesh, results[0], results[1]);
+          WriteSplits(made.splits, drawing.Strokes, results[2]);
           cache.Inverted = made.inverted;
           cache.LevelsMade = options.levels;
         });
-      this->GetEdgesOutput()->ShallowCopy(cache.Edges);
-      this->GetSplitsOutput()->ShallowCopy(cache.Splits);
       for (vtkPolyData* data : { output, this->GetEdgesOutput(), this->GetSplitsOutput() })
       {
         data->GetFieldData()->PassData(faces->GetFieldData());
       }
       this->Inverted = cache.Inverted;
       this->LevelsMade = cache.LevelsMade;
-      const vtkIdType parts = cache.Splits->GetNumberOfCells();
+      const vtkIdType parts = this->GetSplitsOutput()->GetNumberOfCells();
       if (parts > 0 && !this->SplitsAreTaken)
       {
         Warn(this,

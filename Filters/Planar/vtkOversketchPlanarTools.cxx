@@ -1,4 +1,5 @@
 #include "vtkOversketchPlanarTools.h"
+#include "vtkOversketchPolylines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -20,21 +21,6 @@ namespace oversketch
 {
 namespace
 {
-
-// A new array of one value per item.
-template <typename Array, typename Items, typename Value>
-void addValues(vtkDataSetAttributes* to, const char* name, const Items& items, const Value& value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(items.size()));
-  vtkIdType i = 0;
-  for (const auto& item : items)
-  {
-    array->SetValue(i++, value(item));
-  }
-  to->AddArray(array);
-}
 
 // An array of a mesh, of polylines, ..., read as whole numbers or as they are.
 class Values
@@ -185,19 +171,13 @@ void WritePlanarMesh(const PlanarMesh& mesh, vtkPolyData* faces)
   faces->SetPoints(points);
   faces->SetPolys(polys);
   vtkDataSetAttributes *ofPoints = faces->GetPointData(), *ofCells = faces->GetCellData();
-  using Point = PlanarPoint;
-  using Face = PlanarFace;
-  addValues<vtkIntArray>(
-    ofPoints, "BoundaryKind", mesh.points, [](const Point& p) { return static_cast<int>(p.kind); });
-  addValues<vtkIntArray>(ofPoints, "StrokeId", mesh.points, [](const Point& p) { return p.stroke; });
-  addValues<vtkDoubleArray>(ofPoints, "StrokeParam", mesh.points, [](const Point& p) { return p.param; });
-  addValues<vtkUnsignedCharArray>(ofPoints,
-    "IsBaseVertex",
-    mesh.points,
-    [](const Point& p) { return static_cast<unsigned char>(p.isBase ? 1 : 0); });
-  addValues<vtkIntArray>(ofCells, "RegionId", mesh.faces, [](const Face& f) { return f.region; });
-  addValues<vtkIntArray>(ofCells, "ObjectId", mesh.faces, [](const Face& f) { return f.object; });
-  addValues<vtkIntArray>(ofCells, "BaseFaceId", mesh.faces, [](const Face& f) { return f.base; });
+  ofPoints->AddArray(ArrayOf<vtkIntArray>("BoundaryKind", mesh.points, &PlanarPoint::kind));
+  ofPoints->AddArray(ArrayOf<vtkIntArray>("StrokeId", mesh.points, &PlanarPoint::stroke));
+  ofPoints->AddArray(ArrayOf<vtkDoubleArray>("StrokeParam", mesh.points, &PlanarPoint::param));
+  ofPoints->AddArray(ArrayOf<vtkUnsignedCharArray>("IsBaseVertex", mesh.points, &PlanarPoint::isBase));
+  ofCells->AddArray(ArrayOf<vtkIntArray>("RegionId", mesh.faces, &PlanarFace::region));
+  ofCells->AddArray(ArrayOf<vtkIntArray>("ObjectId", mesh.faces, &PlanarFace::object));
+  ofCells->AddArray(ArrayOf<vtkIntArray>("BaseFaceId", mesh.faces, &PlanarFace::base));
 }
 
 void WriteStrokeEdges(const PlanarMesh& mesh, vtkPolyData* faces, vtkPolyData* edges)
@@ -211,10 +191,9 @@ void WriteStrokeEdges(const PlanarMesh& mesh, vtkPolyData* faces, vtkPolyData* e
   edges->SetPoints(faces->GetPoints());
   edges->SetLines(lines);
   vtkDataSetAttributes* data = edges->GetCellData();
-  using Edge = StrokeEdge;
-  addValues<vtkIntArray>(data, "StrokeId", mesh.edges, [](const Edge& e) { return e.stroke; });
-  addValues<vtkDoubleArray>(data, "ParamStart", mesh.edges, [](const Edge& e) { return e.start; });
-  addValues<vtkDoubleArray>(data, "ParamEnd", mesh.edges, [](const Edge& e) { return e.end; });
+  data->AddArray(ArrayOf<vtkIntArray>("StrokeId", mesh.edges, &StrokeEdge::stroke));
+  data->AddArray(ArrayOf<vtkDoubleArray>("ParamStart", mesh.edges, &StrokeEdge::start));
+  data->AddArray(ArrayOf<vtkDoubleArray>("ParamEnd", mesh.edges, &StrokeEdge::end));
 }
 
 MeshKey PlanarKey(vtkPolyData* data)
@@ -298,39 +277,24 @@ std::vector<StrokeLine> StrokeLinesOf(vtkPolyData* polylines)
 
 void WriteStrokeLines(const std::vector<StrokeLine>& lines, vtkPolyData* polylines)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
+  Polylines written;
   std::vector<double> params;
   for (const StrokeLine& line : lines)
   {
-    const vtkIdType first = points->GetNumberOfPoints(), count = static_cast<vtkIdType>(line.places.size());
-    cells->InsertNextCell(static_cast<int>(count) + (line.closed ? 1 : 0));
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(line.places[k][0], line.places[k][1], 0.0));
-    }
-    if (line.closed)
-    {
-      cells->InsertCellPoint(first);
-    }
+    written.Add(line.places, line.closed);
     params.insert(params.end(), line.params.begin(), line.params.end());
   }
-  polylines->SetPoints(points);
-  polylines->SetLines(cells);
-  addValues<vtkDoubleArray>(
-    polylines->GetPointData(), "ArcLength", params, [](double value) { return value; });
+  written.Put(polylines);
+  polylines->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("ArcLength", params));
   vtkDataSetAttributes* data = polylines->GetCellData();
-  using Line = StrokeLine;
-  addValues<vtkIntArray>(data, "StrokeId", lines, [](const Line& l) { return l.stroke; });
-  addValues<vtkIntArray>(data, "Closed", lines, [](const Line& l) { return l.closed ? 1 : 0; });
-  addValues<vtkIntArray>(data, "Role", lines, [](const Line& l) { return static_cast<int>(l.role); });
-  addValues<vtkIntArray>(data, "RegionId", lines, [](const Line& l) { return l.region; });
-  addValues<vtkIntArray>(data, "ChildRegionId", lines, [](const Line& l) { return l.childRegion; });
-  addValues<vtkIntArray>(data, "ObjectId", lines, [](const Line& l) { return l.object; });
-  addValues<vtkIntArray>(
-    data, "Treatment", lines, [](const Line& l) { return static_cast<int>(l.treatment); });
-  addValues<vtkDoubleArray>(data, "StrokeLength", lines, [](const Line& l) { return l.length; });
+  data->AddArray(ArrayOf<vtkIntArray>("StrokeId", lines, &StrokeLine::stroke));
+  data->AddArray(ArrayOf<vtkIntArray>("Closed", lines, &StrokeLine::closed));
+  data->AddArray(ArrayOf<vtkIntArray>("Role", lines, &StrokeLine::role));
+  data->AddArray(ArrayOf<vtkIntArray>("RegionId", lines, &StrokeLine::region));
+  data->AddArray(ArrayOf<vtkIntArray>("ChildRegionId", lines, &StrokeLine::childRegion));
+  data->AddArray(ArrayOf<vtkIntArray>("ObjectId", lines, &StrokeLine::object));
+  data->AddArray(ArrayOf<vtkIntArray>("Treatment", lines, &StrokeLine::treatment));
+  data->AddArray(ArrayOf<vtkDoubleArray>("StrokeLength", lines, &StrokeLine::length));
 }
 
 std::vector<StrokeSplit> SplitsOf(vtkPolyData* splits)
@@ -386,11 +350,10 @@ void WriteSplits(const std::vector<StrokeSplit>& splits,
   output->SetPoints(points);
   output->SetLines(lines);
   vtkDataSetAttributes* data = output->GetCellData();
-  using Split = StrokeSplit;
-  addValues<vtkIntArray>(data, "StrokeId", splits, [](const Split& s) { return s.stroke; });
-  addValues<vtkDoubleArray>(data, "ParamStart", splits, [](const Split& s) { return s.start; });
-  addValues<vtkDoubleArray>(data, "ParamEnd", splits, [](const Split& s) { return s.end; });
-  addValues<vtkIntArray>(data, "Halvings", splits, [](const Split& s) { return s.halvings; });
+  data->AddArray(ArrayOf<vtkIntArray>("StrokeId", splits, &StrokeSplit::stroke));
+  data->AddArray(ArrayOf<vtkDoubleArray>("ParamStart", splits, &StrokeSplit::start));
+  data->AddArray(ArrayOf<vtkDoubleArray>("ParamEnd", splits, &StrokeSplit::end));
+  data->AddArray(ArrayOf<vtkIntArray>("Halvings", splits, &StrokeSplit::halvings));
 }
 
 } // namespace oversketch

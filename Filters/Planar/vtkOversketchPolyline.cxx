@@ -35,75 +35,65 @@ vtkOversketchPolyline::vtkOversketchPolyline()
 
 vtkOversketchPolyline::~vtkOversketchPolyline() = default;
 
-int vtkOversketchPolyline::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchPolyline::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* distance = vtkImageData::GetData(inputs[1]);
+  vtkPolyData* splits = vtkPolyData::GetData(inputs[2]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const bool fixed = this->AsPublished || this->DeltaMode == FIXED;
+  if (!fixed && !(distance && distance->GetNumberOfPoints() > 0))
+  {
+    throw Error(Failure::MissingArray,
+      "There is no distance image, which {DeltaMode Adaptive} reads: connect that of "
+      "vtkOversketchDistance, "
+      "or choose Fixed.");
+  }
+  std::vector<MeshKey> read{ DrawingKey(curves) };
+  if (!fixed)
+  {
+    read.push_back(ImageKey(distance));
+  }
+  if (splits)
+  {
+    read.push_back(PlanarKey(splits));
+  }
+  this->Internals->Kept.Provide(
+    StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->JoinDistance }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* distance = vtkImageData::GetData(inputs[1]);
-      vtkPolyData* splits = vtkPolyData::GetData(inputs[2]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (curves->GetNumberOfPoints() == 0)
+      ++this->PolylineCount;
+      const Drawing drawing = DrawingOf(curves);
+      const std::vector<StrokeClass> classes = ClassificationOf(curves).strokes;
+      const std::vector<StrokeSplit> parts = splits ? SplitsOf(splits) : std::vector<StrokeSplit>();
+      for (const StrokeSplit& part : parts)
       {
-        return;
-      }
-      const bool fixed = this->AsPublished || this->DeltaMode == FIXED;
-      if (!fixed && !(distance && distance->GetNumberOfPoints() > 0))
-      {
-        throw Error(Failure::MissingArray,
-          "There is no distance image, which {DeltaMode Adaptive} reads: connect that of "
-          "vtkOversketchDistance, "
-          "or choose Fixed.");
-      }
-      std::vector<MeshKey> read{ DrawingKey(curves) };
-      if (!fixed)
-      {
-        read.push_back(ImageKey(distance));
-      }
-      if (splits)
-      {
-        read.push_back(PlanarKey(splits));
-      }
-      this->Internals->Kept.Provide(
-        StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->JoinDistance }),
-        output,
-        [&](vtkPolyData* result)
+        if (part.stroke < 0 || part.stroke >= static_cast<int>(classes.size()))
         {
-          ++this->PolylineCount;
-          const Drawing drawing = DrawingOf(curves);
-          const std::vector<StrokeClass> classes = ClassificationOf(curves).strokes;
-          const std::vector<StrokeSplit> parts = splits ? SplitsOf(splits) : std::vector<StrokeSplit>();
-          for (const StrokeSplit& part : parts)
-          {
-            if (part.stroke < 0 || part.stroke >= static_cast<int>(classes.size()))
-            {
-              throw Error(Failure::BadStroke,
-                "The splits name {stroke %1}, but there are %2; take both of one drawing.",
-                part.stroke,
-                classes.size());
-            }
-          }
-          ApproximationRules rules;
-          rules.mode = fixed ? DeltaMode::Fixed : DeltaMode::Adaptive;
-          rules.tolerance = this->Tolerance;
-          rules.joinDistance = this->JoinDistance;
-          const Context context = ContextOf(this);
-          const DistanceMaps none;
-          const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
-            classes,
-            drawing.Treatments,
-            fixed ? none : this->Internals->Maps.Of(distance),
-            parts,
-            drawing.Rectangle.longest(),
-            rules,
-            context);
-          WriteStrokeLines(strokeLines(polylines, drawing.Strokes, classes, drawing.Treatments), result);
-        });
-      output->GetFieldData()->PassData(curves->GetFieldData());
+          throw Error(Failure::BadStroke,
+            "The splits name {stroke %1}, but there are %2; take both of one drawing.",
+            part.stroke,
+            classes.size());
+        }
+      }
+      ApproximationRules rules;
+      rules.mode = fixed ? DeltaMode::Fixed : DeltaMode::Adaptive;
+      rules.tolerance = this->Tolerance;
+      rules.joinDistance = this->JoinDistance;
+      const Context context = ContextOf(this);
+      const DistanceMaps none;
+      const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
+        classes,
+        drawing.Treatments,
+        fixed ? none : this->Internals->Maps.Of(distance),
+        parts,
+        drawing.Rectangle.longest(),
+        rules,
+        context);
+      WriteStrokeLines(strokeLines(polylines, drawing.Strokes, classes, drawing.Treatments), result);
     });
+  output->GetFieldData()->PassData(curves->GetFieldData());
 }
 
 void vtkOversketchPolyline::PrintSelf(ostream& os, vtkIndent indent)

@@ -40,15 +40,15 @@
 #define vtkOversketchPolyline_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPolyline : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPolyline : public vtkOversketchFilter
 {
 public:
   static vtkOversketchPolyline* New();
-  vtkTypeMacro(vtkOversketchPolyline, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchPolyline, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Mode
@@ -116,7 +116,7 @@ protected:
   vtkOversketchPolyline();
   ~vtkOversketchPolyline() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchPolyline(const vtkOversketchPolyline&) = delete;

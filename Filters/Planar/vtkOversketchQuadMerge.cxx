@@ -5,16 +5,14 @@
 #include "vtkOversketchPlanarTools.h"
 
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
 using namespace oversketch;
 
-struct vtkOversketchQuadMerge::Cache
+struct vtkOversketchQuadMerge::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchQuadMerge);
@@ -33,30 +31,20 @@ vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkOversketchQuadMerge::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  this->Internals->Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      if (triangles->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      this->Internals->Kept.Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->MergeCount;
-          WritePlanarMesh(mergeQuads(PlanarMeshOf(triangles, edges)), result);
-        });
-      output->GetFieldData()->PassData(triangles->GetFieldData());
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(edges);
+      ++this->MergeCount;
+      WritePlanarMesh(mergeQuads(PlanarMeshOf(triangles, edges)), result);
     });
+  output->GetFieldData()->PassData(triangles->GetFieldData());
+  vtkPolyData::GetData(outputs, 1)->ShallowCopy(edges);
 }
 
 void vtkOversketchQuadMerge::PrintSelf(ostream& os, vtkIndent indent)

@@ -25,15 +25,15 @@
 #define vtkOversketchQuadMerge_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchQuadMerge : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchQuadMerge : public vtkOversketchFilter
 {
 public:
   static vtkOversketchQuadMerge* New();
-  vtkTypeMacro(vtkOversketchQuadMerge, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchQuadMerge, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -52,7 +52,7 @@ protected:
   vtkOversketchQuadMerge();
   ~vtkOversketchQuadMerge() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchQuadMerge(const vtkOversketchQuadMerge&) = delete;

@@ -3,10 +3,8 @@
 #include "vtkOversketchDrawingTools.h"
 
 #include "vtkCellData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -54,76 +52,60 @@ void vtkOversketchTreatment::SetTunnels(const char* text)
   SetText(this, this->Tunnels, text);
 }
 
-int vtkOversketchTreatment::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchTreatment::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  const Classification classification = ClassificationOf(curves);
+  const std::vector<Treatment> given = TreatmentsOf(curves);
+  const int count = static_cast<int>(given.size());
+  std::vector<Treatment> treatments = given;
+  std::vector<char> named(given.size(), 0);
+  const std::vector<DrawnStroke> strokes = StrokesOf(curves);
+  int names = 0; // strokes are numbered below it
+  for (int i = 0; i < count; ++i)
+  {
+    names = std::max(names, nameOf(strokes, i) + 1);
+  }
+  // Of several curves of one stroke the one that it may be.
+  const auto curveOf = [&](int name)
+  {
+    int found = -1;
+    for (int i = 0; i < count; ++i)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      if (curves->GetNumberOfPoints() == 0)
+      const bool bounds = classification.strokes[i].role == Role::ClosedFeature;
+      found = nameOf(strokes, i) == name && (found < 0 || bounds) ? i : found;
+    }
+    return found;
+  };
+  const auto treat = [&](const std::string& list, const char* parameter, Treatment treatment)
+  {
+    for (const int name : numbersOf(list, parameter))
+    {
+      const Message who("{%1} names {stroke %2}", parameter, name);
+      if (name < 0 || name >= names)
       {
-        return;
+        throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, names);
       }
-      const Classification classification = ClassificationOf(curves);
-      const std::vector<Treatment> given = TreatmentsOf(curves);
-      const int count = static_cast<int>(given.size());
-      std::vector<Treatment> treatments = given;
-      std::vector<char> named(given.size(), 0);
-      const std::vector<DrawnStroke> strokes = StrokesOf(curves);
-      int names = 0; // strokes are numbered below it
-      for (int i = 0; i < count; ++i)
+      const int stroke = curveOf(name);
+      if (stroke < 0 || classification.strokes[stroke].role != Role::ClosedFeature)
       {
-        names = std::max(names, nameOf(strokes, i) + 1);
+        throw Error(Failure::BadStroke,
+          "%1, which is no closed stroke inside another; close it, or name one that is.",
+          who);
       }
-      // Of several curves of one stroke the one that it may be.
-      const auto curveOf = [&](int name)
+      if (named[stroke] && treatments[stroke] != treatment)
       {
-        int found = -1;
-        for (int i = 0; i < count; ++i)
-        {
-          const bool bounds = classification.strokes[i].role == Role::ClosedFeature;
-          found = nameOf(strokes, i) == name && (found < 0 || bounds) ? i : found;
-        }
-        return found;
-      };
-      const auto treat = [&](const std::string& list, const char* parameter, Treatment treatment)
-      {
-        for (const int name : numbersOf(list, parameter))
-        {
-          const Message who("{%1} names {stroke %2}", parameter, name);
-          if (name < 0 || name >= names)
-          {
-            throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, names);
-          }
-          const int stroke = curveOf(name);
-          if (stroke < 0 || classification.strokes[stroke].role != Role::ClosedFeature)
-          {
-            throw Error(Failure::BadStroke,
-              "%1, which is no closed stroke inside another; close it, or name one that is.",
-              who);
-          }
-          if (named[stroke] && treatments[stroke] != treatment)
-          {
-            throw Error(Failure::BadStroke, "%1, which {Holes} names too; name it once.", who);
-          }
-          treatments[stroke] = treatment;
-          named[stroke] = 1;
-        }
-      };
-      treat(this->Holes, "Holes", Treatment::Hole);
-      treat(this->Tunnels, "Tunnels", Treatment::Tunnel);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      output->ShallowCopy(curves);
-      vtkNew<vtkIntArray> array;
-      array->SetName("Treatment");
-      for (const Treatment treatment : treatments)
-      {
-        array->InsertNextValue(static_cast<int>(treatment));
+        throw Error(Failure::BadStroke, "%1, which {Holes} names too; name it once.", who);
       }
-      output->GetCellData()->AddArray(array);
-    });
+      treatments[stroke] = treatment;
+      named[stroke] = 1;
+    }
+  };
+  treat(this->Holes, "Holes", Treatment::Hole);
+  treat(this->Tunnels, "Tunnels", Treatment::Tunnel);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(curves);
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Treatment", treatments));
 }
 
 void vtkOversketchTreatment::PrintSelf(ostream& os, vtkIndent indent)

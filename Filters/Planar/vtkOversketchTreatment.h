@@ -24,15 +24,15 @@
 #define vtkOversketchTreatment_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <string>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTreatment : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTreatment : public vtkOversketchFilter
 {
 public:
   static vtkOversketchTreatment* New();
-  vtkTypeMacro(vtkOversketchTreatment, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchTreatment, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -55,7 +55,7 @@ protected:
   vtkOversketchTreatment() = default;
   ~vtkOversketchTreatment() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchTreatment(const vtkOversketchTreatment&) = delete;

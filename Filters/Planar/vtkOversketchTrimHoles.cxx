@@ -6,9 +6,7 @@
 #include "vtkOversketchPlanarTools.h"
 
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -16,10 +14,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTrimHoles::Cache
+struct vtkOversketchTrimHoles::Cache : KeptOutput
 {
-  KeptOutput Kept;
-  vtkNew<vtkPolyData> Edges;
 };
 
 vtkStandardNewMacro(vtkOversketchTrimHoles);
@@ -38,46 +34,28 @@ vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
-int vtkOversketchTrimHoles::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* faces = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[2]);
+  const std::vector<char> gone = regionsInHoles(ClassificationOf(curves), TreatmentsOf(curves));
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  if (std::find(gone.begin(), gone.end(), 1) == gone.end())
+  {
+    output->ShallowCopy(faces);
+    this->GetEdgesOutput()->ShallowCopy(edges);
+    return;
+  }
+  this->Internals->Provide(
+    StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
+    { output, this->GetEdgesOutput() },
+    [&](const KeptOutput::Outputs& results)
     {
-      vtkPolyData* faces = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[2]);
-      if (faces->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const std::vector<char> gone = regionsInHoles(ClassificationOf(curves), TreatmentsOf(curves));
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      if (std::find(gone.begin(), gone.end(), 1) == gone.end())
-      {
-        output->ShallowCopy(faces);
-        this->GetEdgesOutput()->ShallowCopy(edges);
-        return;
-      }
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(
-        StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
-        output,
-        [&](vtkPolyData* result)
-        {
-          const PlanarMesh left = withoutRegions(PlanarMeshOf(faces, edges), gone);
-          WritePlanarMesh(left, result);
-          cache.Edges->Initialize();
-          WriteStrokeEdges(left, result, cache.Edges);
-        });
-      this->GetEdgesOutput()->ShallowCopy(cache.Edges);
-      output->GetFieldData()->PassData(faces->GetFieldData());
-      this->GetEdgesOutput()->GetFieldData()->PassData(edges->GetFieldData());
+      const PlanarMesh left = withoutRegions(PlanarMeshOf(faces, edges), gone);
+      WritePlanarMesh(left, results[0]);
+      WriteStrokeEdges(left, results[0], results[1]);
     });
-}
-
-void vtkOversketchTrimHoles::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
+  output->GetFieldData()->PassData(faces->GetFieldData());
+  this->GetEdgesOutput()->GetFieldData()->PassData(edges->GetFieldData());
 }

@@ -29,16 +29,15 @@
 #define vtkOversketchTrimHoles_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkOversketchFilter
 {
 public:
   static vtkOversketchTrimHoles* New();
-  vtkTypeMacro(vtkOversketchTrimHoles, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkOversketchTrimHoles, vtkOversketchFilter);
 
   /**
    * The edges, on port 1.
@@ -61,7 +60,7 @@ protected:
   vtkOversketchTrimHoles();
   ~vtkOversketchTrimHoles() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchTrimHoles(const vtkOversketchTrimHoles&) = delete;

@@ -2,7 +2,7 @@
 
 #include "Region/enclose.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
@@ -10,7 +10,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -36,15 +35,6 @@ struct vtkOversketchEnclose::Cache
 namespace
 {
 
-vtkSmartPointer<vtkUnsignedCharArray> labelsFrom(const std::vector<char>& labels)
-{
-  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-  array->SetName("EditRegion");
-  array->SetNumberOfValues(static_cast<vtkIdType>(labels.size()));
-  std::copy(labels.begin(), labels.end(), array->GetPointer(0));
-  return array;
-}
-
 void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
 {
   vtkNew<vtkPoints> points;
@@ -55,11 +45,7 @@ void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
   patch->GetCellData()->CopyAllOn();
   CopyElements(mesh->GetPointData(), extract.vertices, patch->GetPointData());
   CopyElements(mesh->GetCellData(), extract.triangles, patch->GetCellData());
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("VertexId");
-  ids->SetNumberOfValues(static_cast<vtkIdType>(extract.vertices.size()));
-  std::copy(extract.vertices.begin(), extract.vertices.end(), ids->GetPointer(0));
-  patch->GetPointData()->AddArray(ids);
+  patch->GetPointData()->AddArray(ArrayOf<vtkIdTypeArray>("VertexId", extract.vertices));
   patch->GetFieldData()->PassData(mesh->GetFieldData());
 }
 
@@ -76,46 +62,36 @@ vtkOversketchEnclose::vtkOversketchEnclose()
 
 vtkOversketchEnclose::~vtkOversketchEnclose() = default;
 
-int vtkOversketchEnclose::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchEnclose::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* boundary = vtkPolyData::GetData(inputs[2]);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      Cache& cache = *this->Internals;
-      cache.Data = SharedMesh(input);
-      const StepKey key({ MeshKey(input), ChainsKey(reference), ChainsKey(boundary) }, {});
-      if (!cache.Vertices || cache.Key != key)
-      {
-        cache.Vertices = nullptr;
-        ++this->GrowthCount;
-        const Mesh& mesh = cache.Data->Surface();
-        const Enclosed enclosed = enclose(mesh,
-          cache.Data->Neighbours(),
-          ReadChain(reference, mesh.vertexCount(), "reference curve").Vertices,
-          ReadChain(boundary, mesh.vertexCount(), "boundary curve").Vertices,
-          ContextOf(this));
-        cache.Patch = extractFaces(mesh, enclosed.faces, 1);
-        cache.Faces = labelsFrom(enclosed.faces);
-        cache.Vertices = labelsFrom(enclosed.vertices);
-        cache.Key = key;
-      }
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      output->ShallowCopy(input);
-      output->GetPointData()->AddArray(cache.Vertices);
-      output->GetCellData()->AddArray(cache.Faces);
-      cache.KeptPatch.Provide(StepKey({ WholeKey(output) }, {}),
-        vtkPolyData::GetData(outputs, 1),
-        [&](vtkPolyData* patch) { writePatch(output, cache.Patch, patch); });
-    });
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* boundary = vtkPolyData::GetData(inputs[2]);
+  Cache& cache = *this->Internals;
+  cache.Data = SharedMesh(input);
+  const StepKey key({ MeshKey(input), ChainsKey(reference), ChainsKey(boundary) }, {});
+  if (!cache.Vertices || cache.Key != key)
+  {
+    cache.Vertices = nullptr;
+    ++this->GrowthCount;
+    const Mesh& mesh = cache.Data->Surface();
+    const Enclosed enclosed = enclose(mesh,
+      cache.Data->Neighbours(),
+      ReadChain(reference, mesh.vertexCount(), "reference curve").Vertices,
+      ReadChain(boundary, mesh.vertexCount(), "boundary curve").Vertices,
+      ContextOf(this));
+    cache.Patch = extractFaces(mesh, enclosed.faces, 1);
+    cache.Faces = ArrayOf<vtkUnsignedCharArray>("EditRegion", enclosed.faces);
+    cache.Vertices = ArrayOf<vtkUnsignedCharArray>("EditRegion", enclosed.vertices);
+    cache.Key = key;
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(cache.Vertices);
+  output->GetCellData()->AddArray(cache.Faces);
+  cache.KeptPatch.Provide(StepKey({ WholeKey(output) }, {}),
+    vtkPolyData::GetData(outputs, 1),
+    [&](vtkPolyData* patch) { writePatch(output, cache.Patch, patch); });
 }
 
 void vtkOversketchEnclose::PrintSelf(ostream& os, vtkIndent indent)

@@ -38,15 +38,15 @@
 #define vtkOversketchEnclose_h
 
 #include "OversketchFiltersRegionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchEnclose : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchEnclose : public vtkOversketchFilter
 {
 public:
   static vtkOversketchEnclose* New();
-  vtkTypeMacro(vtkOversketchEnclose, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchEnclose, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -69,7 +69,7 @@ protected:
   vtkOversketchEnclose();
   ~vtkOversketchEnclose() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchEnclose(const vtkOversketchEnclose&) = delete;

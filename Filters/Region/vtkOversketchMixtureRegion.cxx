@@ -10,9 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -204,19 +202,6 @@ double NearOf(const Section& section, double length, double diameter)
   // outline.
   const double beside = 1.5 * radius * std::acos(std::clamp(1.0 - section.depth / radius, -1.0, 1.0));
   return std::max({ near, 1.25 * section.movement, beside });
-}
-
-template <typename Array, typename Values>
-vtkSmartPointer<vtkDataArray> ArrayOf(const char* name, const Values& values)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->SetValue(static_cast<vtkIdType>(i), static_cast<typename Array::ValueType>(values[i]));
-  }
-  return array;
 }
 
 std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
@@ -498,78 +483,67 @@ vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
 
 vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
 
-int vtkOversketchMixtureRegion::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchMixtureRegion::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      Cache& cache = *this->Internals;
-      cache.Data = SharedMesh(input);
-      vtkDataArray* diameters = RequireArray(input->GetPointData(),
-        "ShapeDiameter",
-        1,
-        input->GetNumberOfPoints(),
-        "mesh",
-        "compute it with vtkOversketchShapeDiameter");
-      const Section section = SectionOf(
-        handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);
-      const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
-      // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
-      const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
-      const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
-      const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
-      const FitKey fitKey(this->Components, this->Seed, this->EvenSamples, this->GetBackend());
-      const std::vector<int> parts = this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
-      if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts ||
-          cache.Whole.empty())
-      {
-        cache.Whole.clear();
-        cache.Arrays.clear();
-        cache.FitWhole(this, diameters, parts);
-        cache.MeshRead = meshKey;
-        cache.FitRead = fitKey;
-        cache.PartsRead = parts;
-      }
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  Cache& cache = *this->Internals;
+  cache.Data = SharedMesh(input);
+  vtkDataArray* diameters = RequireArray(input->GetPointData(),
+    "ShapeDiameter",
+    1,
+    input->GetNumberOfPoints(),
+    "mesh",
+    "compute it with vtkOversketchShapeDiameter");
+  const Section section = SectionOf(
+    handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);
+  const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
+  // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
+  const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
+  const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
+  const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
+  const FitKey fitKey(this->Components, this->Seed, this->EvenSamples, this->GetBackend());
+  const std::vector<int> parts = this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
+  if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts || cache.Whole.empty())
+  {
+    cache.Whole.clear();
+    cache.Arrays.clear();
+    cache.FitWhole(this, diameters, parts);
+    cache.MeshRead = meshKey;
+    cache.FitRead = fitKey;
+    cache.PartsRead = parts;
+  }
 
-      const double diameter = section.seeds.empty() ? 0.0 : MedianOf(Pick(cache.Diameters, section.seeds));
-      const bool near = cache.IsEven(this) ||
-                        (this->ConfineToSection && !OfLimb(section, SectionLengthOf(handles), diameter));
-      const double nearness = near ? NearOf(section, SectionLengthOf(handles), diameter) : 0.0;
+  const double diameter = section.seeds.empty() ? 0.0 : MedianOf(Pick(cache.Diameters, section.seeds));
+  const bool near =
+    cache.IsEven(this) || (this->ConfineToSection && !OfLimb(section, SectionLengthOf(handles), diameter));
+  const double nearness = near ? NearOf(section, SectionLengthOf(handles), diameter) : 0.0;
 
-      const GrowthKey growthKey(this->Lambda,
-        sectionLength,
-        endLength,
-        shift,
-        nearness,
-        this->FillIslands,
-        this->LimitRunaway,
-        this->CutAtJunction,
-        this->ReachEnds,
-        this->IgnoreNoise);
-      if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SectionRead.seeds != section.seeds ||
-          cache.SectionRead.ends != section.ends)
-      {
-        cache.Arrays.clear();
-        ++this->GrowthCount;
-        cache.Grow(this, section, sectionLength, endLength, shift, nearness);
-        cache.GrowthRead = growthKey;
-        cache.SectionRead = section;
-      }
-      output->ShallowCopy(input);
-      for (const auto& array : cache.Arrays)
-      {
-        output->GetPointData()->AddArray(array);
-      }
-    });
+  const GrowthKey growthKey(this->Lambda,
+    sectionLength,
+    endLength,
+    shift,
+    nearness,
+    this->FillIslands,
+    this->LimitRunaway,
+    this->CutAtJunction,
+    this->ReachEnds,
+    this->IgnoreNoise);
+  if (cache.Arrays.empty() || cache.GrowthRead != growthKey || cache.SectionRead.seeds != section.seeds ||
+      cache.SectionRead.ends != section.ends)
+  {
+    cache.Arrays.clear();
+    ++this->GrowthCount;
+    cache.Grow(this, section, sectionLength, endLength, shift, nearness);
+    cache.GrowthRead = growthKey;
+    cache.SectionRead = section;
+  }
+  output->ShallowCopy(input);
+  for (const auto& array : cache.Arrays)
+  {
+    output->GetPointData()->AddArray(array);
+  }
 }
 
 void vtkOversketchMixtureRegion::PrintSelf(ostream& os, vtkIndent indent)

@@ -201,7 +201,7 @@ protected:
   vtkOversketchMixtureRegion();
   ~vtkOversketchMixtureRegion() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchMixtureRegion(const vtkOversketchMixtureRegion&) = delete;

@@ -2,10 +2,10 @@
 
 #include "Region/border.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDataArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -20,9 +20,7 @@ using namespace oversketch;
 struct vtkOversketchRegionBorder::Cache
 {
   std::shared_ptr<const MeshData> Data;
-  MeshKey Key;
-  int Rings = -1;
-  vtkSmartPointer<vtkUnsignedCharArray> Region;
+  KeptValue<vtkSmartPointer<vtkUnsignedCharArray>> Region;
 };
 
 vtkStandardNewMacro(vtkOversketchRegionBorder);
@@ -34,52 +32,35 @@ vtkOversketchRegionBorder::vtkOversketchRegionBorder()
 
 vtkOversketchRegionBorder::~vtkOversketchRegionBorder() = default;
 
-int vtkOversketchRegionBorder::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRegionBorder::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const vtkIdType count = input->GetNumberOfPoints();
+  Cache& cache = *this->Internals;
+  cache.Data = SharedMesh(input);
+  const std::string remedy = "find the region with vtkOversketchMixtureRegion";
+  vtkDataArray* region = RequireArray(input->GetPointData(), "Region", 1, count, "mesh", remedy);
+  vtkDataArray* seeds = RequireArray(input->GetPointData(), "RegionSeed", 1, count, "mesh", remedy);
+  const int rings = this->Confine ? this->Rings : 0;
+  vtkDataArray* border = cache.Region.Provide(StepKey({ MeshKey(input, { region, seeds }) }, { 1.0 * rings }),
     [&]
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      const vtkIdType count = input->GetNumberOfPoints();
-      if (count == 0)
+      ++this->SmoothingCount;
+      const std::vector<char> smooth =
+        smoothBorder(cache.Data->Neighbours(), LabelsOf(seeds), LabelsOf(region), rings);
+      const auto selected = std::count(smooth.begin(), smooth.end(), 1);
+      if (selected == 0 || selected == count)
       {
-        return;
+        throw Error(Failure::BadRegion,
+          selected == 0
+            ? "The region is empty; draw a stroke on a part of the model with more vertices."
+            : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
       }
-      Cache& cache = *this->Internals;
-      cache.Data = SharedMesh(input);
-      const std::string remedy = "find the region with vtkOversketchMixtureRegion";
-      vtkDataArray* region = RequireArray(input->GetPointData(), "Region", 1, count, "mesh", remedy);
-      vtkDataArray* seeds = RequireArray(input->GetPointData(), "RegionSeed", 1, count, "mesh", remedy);
-      const MeshKey key(input, { region, seeds });
-      const int rings = this->Confine ? this->Rings : 0;
-      if (!cache.Region || cache.Key != key || cache.Rings != rings)
-      {
-        cache.Region = nullptr;
-        ++this->SmoothingCount;
-        const std::vector<char> smooth =
-          smoothBorder(cache.Data->Neighbours(), LabelsOf(seeds), LabelsOf(region), rings);
-        const auto selected = std::count(smooth.begin(), smooth.end(), 1);
-        if (selected == 0 || selected == count)
-        {
-          throw Error(Failure::BadRegion,
-            selected == 0
-              ? "The region is empty; draw a stroke on a part of the model with more vertices."
-              : "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.");
-        }
-        auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
-        array->SetName("Region");
-        array->SetNumberOfValues(count);
-        std::copy(smooth.begin(), smooth.end(), array->GetPointer(0));
-        cache.Region = array;
-        cache.Key = key;
-        cache.Rings = rings;
-      }
-      output->ShallowCopy(input);
-      output->GetPointData()->AddArray(cache.Region);
+      return ArrayOf<vtkUnsignedCharArray>("Region", smooth);
     });
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(border);
 }
 
 void vtkOversketchRegionBorder::PrintSelf(ostream& os, vtkIndent indent)

@@ -28,15 +28,15 @@
 #define vtkOversketchRegionBorder_h
 
 #include "OversketchFiltersRegionModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchRegionBorder : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchRegionBorder : public vtkOversketchFilter
 {
 public:
   static vtkOversketchRegionBorder* New();
-  vtkTypeMacro(vtkOversketchRegionBorder, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchRegionBorder, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -65,7 +65,7 @@ protected:
   vtkOversketchRegionBorder();
   ~vtkOversketchRegionBorder() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchRegionBorder(const vtkOversketchRegionBorder&) = delete;

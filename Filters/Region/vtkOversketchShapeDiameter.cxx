@@ -6,7 +6,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -39,62 +38,48 @@ vtkOversketchShapeDiameter::vtkOversketchShapeDiameter()
 
 vtkOversketchShapeDiameter::~vtkOversketchShapeDiameter() = default;
 
-int vtkOversketchShapeDiameter::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  RequirePolygonsOnly(input); // the key does not see other cells
+  const MeshKey key(input, { input->GetPointData()->GetNormals() });
+  const Cache::Parameters values(
+    this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->TurnCones, this->GetBackend());
+  Cache& cache = *this->Internals;
+  if (!cache.Array || cache.Key != key || cache.Values != values)
+  {
+    cache.Array = nullptr;
+    cache.Mesh = SharedMesh(input);
+    ShapeDiameterOptions options;
+    options.rayCount = this->RayCount;
+    options.coneAngle = this->ConeAngle;
+    options.inverseAngleWeights = this->InverseAngleWeights;
+    options.turnCones = this->TurnCones;
+    options.backend = this->KernelBackend();
+    cache.Known.nextMesh = cache.Mesh->KeptSurface();
+    cache.Known.nextNormals = cache.Mesh->KeptNormals();
+    ++this->RayCastCount;
+    const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface(),
+      cache.Mesh->Neighbours(),
+      cache.Mesh->Normals(),
+      options,
+      ContextOf(this),
+      nullptr,
+      &cache.Known);
+    if (!result.warning.empty())
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      RequirePolygonsOnly(input); // the key does not see other cells
-      const MeshKey key(input, { input->GetPointData()->GetNormals() });
-      const Cache::Parameters values(
-        this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->TurnCones, this->GetBackend());
-      Cache& cache = *this->Internals;
-      if (!cache.Array || cache.Key != key || cache.Values != values)
-      {
-        cache.Array = nullptr;
-        cache.Mesh = SharedMesh(input);
-        ShapeDiameterOptions options;
-        options.rayCount = this->RayCount;
-        options.coneAngle = this->ConeAngle;
-        options.inverseAngleWeights = this->InverseAngleWeights;
-        options.turnCones = this->TurnCones;
-        options.backend = this->KernelBackend();
-        cache.Known.nextMesh = cache.Mesh->KeptSurface();
-        cache.Known.nextNormals = cache.Mesh->KeptNormals();
-        ++this->RayCastCount;
-        const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface(),
-          cache.Mesh->Neighbours(),
-          cache.Mesh->Normals(),
-          options,
-          ContextOf(this),
-          nullptr,
-          &cache.Known);
-        if (!result.warning.empty())
-        {
-          Warn(this, result.warning);
-        }
-        this->UsedBackend(result.used);
-        this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
-        this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
-        auto array = vtkSmartPointer<vtkDoubleArray>::New();
-        array->SetName("ShapeDiameter");
-        array->SetNumberOfTuples(input->GetNumberOfPoints());
-        std::copy(result.diameter.begin(), result.diameter.end(), array->GetPointer(0));
-        cache.Key = key;
-        cache.Values = values;
-        cache.Array = array;
-      }
-      output->ShallowCopy(input);
-      output->GetPointData()->AddArray(cache.Array);
-    });
+      Warn(this, result.warning);
+    }
+    this->UsedBackend(result.used);
+    this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
+    this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
+    cache.Key = key;
+    cache.Values = values;
+    cache.Array = ArrayOf<vtkDoubleArray>("ShapeDiameter", result.diameter);
+  }
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(cache.Array);
 }
 
 void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)

@@ -108,7 +108,7 @@ protected:
   vtkOversketchShapeDiameter();
   ~vtkOversketchShapeDiameter() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchShapeDiameter(const vtkOversketchShapeDiameter&) = delete;

@@ -3,11 +3,10 @@
 #include "Remesh/insert_curves.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,7 +23,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <array>
 #include <cmath>
 #include <list>
 #include <memory>
@@ -33,11 +31,8 @@
 using namespace oversketch;
 
 // The last result.
-struct vtkOversketchInsertCurve::Cache
+struct vtkOversketchInsertCurve::Cache : KeptOutput
 {
-  StepKey Key;
-  std::array<vtkSmartPointer<vtkPolyData>, 3> Outputs; // null: nothing is kept
-  int Bridges = 0;
 };
 
 namespace
@@ -204,10 +199,8 @@ void writeCurves(const std::vector<MeshCurve>& curves,
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIdTypeArray> vertices;
-  vertices->SetName("VertexId");
-  vtkNew<vtkDoubleArray> parameters;
-  parameters->SetName("CurveT");
+  const auto vertices = NewArray<vtkIdTypeArray>("VertexId");
+  const auto parameters = NewArray<vtkDoubleArray>("CurveT");
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
   to->CopyAllocate(from);
@@ -249,81 +242,59 @@ vtkOversketchInsertCurve::vtkOversketchInsertCurve()
 
 vtkOversketchInsertCurve::~vtkOversketchInsertCurve() = default;
 
-int vtkOversketchInsertCurve::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* stored = vtkPolyData::GetData(inputs[2]);
+  if (curves->GetNumberOfPoints() == 0)
+  {
+    vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
+    if (stored)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* stored = vtkPolyData::GetData(inputs[2]);
-      if (input->GetNumberOfPoints() == 0)
+      vtkPolyData::GetData(outputs, 2)->ShallowCopy(stored);
+    }
+    return;
+  }
+  RequirePolygonsOnly(input); // the key does not see other cells
+  const StepKey key({ WholeKey(input), WholeKey(curves), stored ? WholeKey(stored) : MeshKey() },
+    { this->Snap ? 1.0 : 0.0,
+      this->EmbedSegments ? 1.0 : 0.0,
+      this->Bridge ? 1.0 : 0.0,
+      static_cast<double>(this->Gap),
+      this->JoinRuns ? 1.0 : 0.0,
+      this->Clean ? 1.0 : 0.0 });
+  this->Internals->Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
+    [&](const KeptOutput::Outputs& made)
+    {
+      ++this->InsertionCount;
+      const std::shared_ptr<const MeshData> shared =
+        SharedMesh(input); // whose mesh goes with the last who holds it
+      const Mesh& mesh = shared->Surface();
+      const ReadCurves read = CurveReader(curves, mesh).Read();
+      const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
+      InsertRules rules;
+      rules.snap = this->Snap;
+      rules.embed = this->EmbedSegments;
+      rules.bridge = this->Bridge;
+      rules.gap = static_cast<InsertRules::Gap>(this->Gap);
+      rules.join = this->JoinRuns;
+      rules.clean = this->Clean;
+      const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
+      writeMesh(input, result, made[0]);
+      writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);
+      made[1]->GetCellData()->RemoveArray("CurveId");
+      if (!kept.empty())
       {
-        return;
-      }
-      if (curves->GetNumberOfPoints() == 0)
-      {
-        vtkPolyData::GetData(outputs, 0)->ShallowCopy(input);
-        if (stored)
+        std::vector<vtkIdType> cells;
+        for (std::size_t i = 0; i < kept.size(); ++i)
         {
-          vtkPolyData::GetData(outputs, 2)->ShallowCopy(stored);
+          cells.push_back(static_cast<vtkIdType>(i));
         }
-        return;
+        writeCurves(result.stored, result.mesh, stored, cells, made[2]);
       }
-      RequirePolygonsOnly(input); // the key does not see other cells
-      Cache& cache = *this->Internals;
-      const StepKey key({ WholeKey(input), WholeKey(curves), stored ? WholeKey(stored) : MeshKey() },
-        { this->Snap ? 1.0 : 0.0,
-          this->EmbedSegments ? 1.0 : 0.0,
-          this->Bridge ? 1.0 : 0.0,
-          static_cast<double>(this->Gap),
-          this->JoinRuns ? 1.0 : 0.0,
-          this->Clean ? 1.0 : 0.0 });
-      if (!cache.Outputs[0] || cache.Key != key)
-      {
-        cache = Cache();
-        ++this->InsertionCount;
-        const std::shared_ptr<const MeshData> shared =
-          SharedMesh(input); // whose mesh goes with the last who holds it
-        const Mesh& mesh = shared->Surface();
-        const ReadCurves read = CurveReader(curves, mesh).Read();
-        const std::vector<MeshCurve> kept = readStored(stored, mesh.vertexCount());
-        InsertRules rules;
-        rules.snap = this->Snap;
-        rules.embed = this->EmbedSegments;
-        rules.bridge = this->Bridge;
-        rules.gap = static_cast<InsertRules::Gap>(this->Gap);
-        rules.join = this->JoinRuns;
-        rules.clean = this->Clean;
-        const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
-        vtkSmartPointer<vtkPolyData> made[3];
-        for (vtkSmartPointer<vtkPolyData>& output : made)
-        {
-          output = vtkSmartPointer<vtkPolyData>::New();
-        }
-        writeMesh(input, result, made[0]);
-        writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);
-        made[1]->GetCellData()->RemoveArray("CurveId");
-        if (!kept.empty())
-        {
-          std::vector<vtkIdType> cells;
-          for (std::size_t i = 0; i < kept.size(); ++i)
-          {
-            cells.push_back(static_cast<vtkIdType>(i));
-          }
-          writeCurves(result.stored, result.mesh, stored, cells, made[2]);
-        }
-        std::copy(std::begin(made), std::end(made), cache.Outputs.begin());
-        cache.Bridges = result.bridges;
-        cache.Key = key;
-      }
-      this->BridgeCount = cache.Bridges;
-      for (int port = 0; port < 3; ++port)
-      {
-        vtkPolyData::GetData(outputs, port)->ShallowCopy(cache.Outputs[port]);
-      }
+      this->BridgeCount = result.bridges;
     });
 }
 

@@ -41,15 +41,15 @@
 #define vtkOversketchInsertCurve_h
 
 #include "OversketchFiltersRemeshModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchInsertCurve : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchInsertCurve : public vtkOversketchFilter
 {
 public:
   static vtkOversketchInsertCurve* New();
-  vtkTypeMacro(vtkOversketchInsertCurve, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchInsertCurve, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -144,7 +144,7 @@ protected:
   vtkOversketchInsertCurve();
   ~vtkOversketchInsertCurve() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchInsertCurve(const vtkOversketchInsertCurve&) = delete;

@@ -1,14 +1,11 @@
 #include "vtkOversketchMeanEdge.h"
 
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
@@ -40,33 +37,15 @@ double meanEdgeOf(const MeshData& data)
 
 } // namespace
 
-int vtkOversketchMeanEdge::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchMeanEdge::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      output->ShallowCopy(input);
-      if (input->GetFieldData()->GetAbstractArray(meanName))
-      {
-        FieldValue(input, meanName, "mesh", "remove it, and it is made anew");
-        return;
-      }
-      vtkNew<vtkDoubleArray> mean;
-      mean->SetName(meanName);
-      mean->InsertNextValue(meanEdgeOf(*SharedMesh(input)));
-      output->GetFieldData()->AddArray(mean);
-    });
-}
-
-void vtkOversketchMeanEdge::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(input);
+  if (input->GetFieldData()->GetAbstractArray(meanName))
+  {
+    FieldValue(input, meanName, "mesh", "remove it, and it is made anew");
+    return;
+  }
+  output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(meanName, meanEdgeOf(*SharedMesh(input))));
 }

@@ -25,20 +25,19 @@
 #define vtkOversketchMeanEdge_h
 
 #include "OversketchFiltersRemeshModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchMeanEdge : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchMeanEdge : public vtkOversketchFilter
 {
 public:
   static vtkOversketchMeanEdge* New();
-  vtkTypeMacro(vtkOversketchMeanEdge, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkOversketchMeanEdge, vtkOversketchFilter);
 
 protected:
   vtkOversketchMeanEdge() = default;
   ~vtkOversketchMeanEdge() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchMeanEdge(const vtkOversketchMeanEdge&) = delete;

@@ -2,7 +2,6 @@
 
 #include "Remesh/refine_between.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
@@ -22,9 +21,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRefineBetween::Cache
+struct vtkOversketchRefineBetween::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 namespace
@@ -66,14 +64,7 @@ void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* outpu
   const auto mixed = [&](vtkIdType point) { return refined.origins[static_cast<std::size_t>(point)]; };
   WriteCarried(
     refined.mesh, { refined.pointSources, mixed, "Region" }, refined.triangleSources, input, output);
-  vtkNew<vtkDoubleArray> lengths;
-  lengths->SetName("EdgeLength");
-  lengths->SetNumberOfTuples(static_cast<vtkIdType>(refined.sizes.size()));
-  for (std::size_t v = 0; v < refined.sizes.size(); ++v)
-  {
-    lengths->SetValue(static_cast<vtkIdType>(v), refined.sizes[v]);
-  }
-  output->GetPointData()->AddArray(lengths);
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("EdgeLength", refined.sizes));
 }
 
 } // namespace
@@ -90,51 +81,40 @@ vtkOversketchRefineBetween::vtkOversketchRefineBetween()
 
 vtkOversketchRefineBetween::~vtkOversketchRefineBetween() = default;
 
-int vtkOversketchRefineBetween::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRefineBetween::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* line = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* ring = vtkPolyData::GetData(inputs[2]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const auto isDrawn = [](vtkPolyData* curve) { return curve && curve->GetNumberOfPoints() > 0; };
+  if (!(this->Edges > 0.0) || !isDrawn(line) || !isDrawn(ring))
+  {
+    output->ShallowCopy(mesh);
+    return;
+  }
+  RequirePolygonsOnly(mesh); // the key does not see other cells
+  this->Internals->Provide(StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* line = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* ring = vtkPolyData::GetData(inputs[2]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      const auto isDrawn = [](vtkPolyData* curve) { return curve && curve->GetNumberOfPoints() > 0; };
-      if (mesh->GetNumberOfPoints() == 0)
+      const auto data = SharedMesh(mesh);
+      const int triangles = data->Surface().triangleCount();
+      const RefineInput input{ data->Surface(),
+        readRuns(line, triangles, "reference curve"),
+        readRuns(ring, triangles, "boundary curve"),
+        this->Edges,
+        FieldValue(
+          mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded") };
+      const auto refined = refineBetween(input, ContextOf(this));
+      if (refined)
       {
-        return;
+        writeRefined(*refined, mesh, result);
       }
-      if (!(this->Edges > 0.0) || !isDrawn(line) || !isDrawn(ring))
+      else
       {
-        output->ShallowCopy(mesh);
-        return;
+        result->ShallowCopy(mesh);
       }
-      RequirePolygonsOnly(mesh); // the key does not see other cells
-      this->Internals->Kept.Provide(
-        StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          const auto data = SharedMesh(mesh);
-          const int triangles = data->Surface().triangleCount();
-          const RefineInput input{ data->Surface(),
-            readRuns(line, triangles, "reference curve"),
-            readRuns(ring, triangles, "boundary curve"),
-            this->Edges,
-            FieldValue(
-              mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded") };
-          const auto refined = refineBetween(input, ContextOf(this));
-          if (refined)
-          {
-            writeRefined(*refined, mesh, result);
-          }
-          else
-          {
-            result->ShallowCopy(mesh);
-          }
-        });
     });
 }
 

@@ -32,15 +32,15 @@
 #define vtkOversketchRefineBetween_h
 
 #include "OversketchFiltersRemeshModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRefineBetween : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRefineBetween : public vtkOversketchFilter
 {
 public:
   static vtkOversketchRefineBetween* New();
-  vtkTypeMacro(vtkOversketchRefineBetween, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchRefineBetween, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -66,7 +66,7 @@ protected:
   vtkOversketchRefineBetween();
   ~vtkOversketchRefineBetween() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchRefineBetween(const vtkOversketchRefineBetween&) = delete;

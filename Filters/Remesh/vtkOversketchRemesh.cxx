@@ -4,9 +4,7 @@
 #include "Remesh/sizing.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCarriedArrays.h"
-#include "vtkOversketchFieldValue.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchHierarchy.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -70,16 +68,6 @@ namespace
 {
 
 const char* const handlesRemedy = "take them from vtkOversketchTargets";
-
-template <typename Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, vtkIdType tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
-  return array;
-}
 
 // A point is a mix of the corners of the triangle that it lies in.
 CarriedPoints PointsOf(const RemeshResult& result, vtkCellArray* triangles)
@@ -217,13 +205,11 @@ void vtkOversketchRemesh::Cache::Remesh(vtkOversketchRemesh* self,
   this->KeepMesh(input, self->SourcesOfAll);
   if (self->Stage == Stretch && guide > 0.0)
   {
-    this->GuideLength = NewArray<vtkDoubleArray>("GuideLength", 1, 1);
-    this->GuideLength->SetValue(0, guide);
+    this->GuideLength = OneValue<vtkDoubleArray>("GuideLength", guide);
   }
   if (self->Stage == Stretch && self->KeepSmooth)
   {
-    const auto lengths = NewArray<vtkDoubleArray>("EdgeLength", 1, mesh.vertexCount());
-    std::copy(own.begin(), own.end(), lengths->GetPointer(0));
+    const auto lengths = ArrayOf<vtkDoubleArray>("EdgeLength", own);
     this->EdgeLength = PointsOf(this->Result, input->GetPolys()).Array(lengths, false);
   }
   this->Key = question.Key;
@@ -371,31 +357,21 @@ void vtkOversketchRemesh::ReleaseWork()
   this->Modified();
 }
 
-int vtkOversketchRemesh::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRemesh::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      Cache& cache = *this->Internals;
-      const Cache::Question question = Cache::Read(this, input, handles);
-      if (!cache.Points || cache.Key != question.Key)
-      {
-        cache.Remesh(this, input, question);
-      }
-      cache.Write(input, vtkPolyData::GetData(outputs, 0));
-      if (handles)
-      {
-        cache.WriteHandles(handles, vtkPolyData::GetData(outputs, 1));
-      }
-    });
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
+  Cache& cache = *this->Internals;
+  const Cache::Question question = Cache::Read(this, input, handles);
+  if (!cache.Points || cache.Key != question.Key)
+  {
+    cache.Remesh(this, input, question);
+  }
+  cache.Write(input, vtkPolyData::GetData(outputs, 0));
+  if (handles)
+  {
+    cache.WriteHandles(handles, vtkPolyData::GetData(outputs, 1));
+  }
 }
 
 void vtkOversketchRemesh::PrintSelf(ostream& os, vtkIndent indent)

@@ -81,15 +81,15 @@
 #define vtkOversketchRemesh_h
 
 #include "OversketchFiltersRemeshModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRemesh : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRemesh : public vtkOversketchFilter
 {
 public:
   static vtkOversketchRemesh* New();
-  vtkTypeMacro(vtkOversketchRemesh, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchRemesh, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum StageType
@@ -197,7 +197,7 @@ protected:
   vtkOversketchRemesh();
   ~vtkOversketchRemesh() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchRemesh(const vtkOversketchRemesh&) = delete;

@@ -43,7 +43,7 @@
 #define vtkOversketchRetriangulate_h
 
 #include "OversketchFiltersRemeshModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
@@ -52,11 +52,11 @@ namespace oversketch
 struct Motion;
 }
 
-class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRetriangulate : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRetriangulate : public vtkOversketchFilter
 {
 public:
   static vtkOversketchRetriangulate* New();
-  vtkTypeMacro(vtkOversketchRetriangulate, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchRetriangulate, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum RuleType
@@ -90,8 +90,8 @@ public:
   ///@}
 
   /**
-   * The motion of the edit at every place of the mesh before it (Kernels/Remesh/retriangulate.h), for rule Edit;
-   * null (default): it is found between the two meshes. For C++, as vtkOversketchEdit sets it.
+   * The motion of the edit at every place of the mesh before it (Kernels/Remesh/retriangulate.h), for rule
+   * Edit; null (default): it is found between the two meshes. For C++, as vtkOversketchEdit sets it.
    */
   void SetMotion(std::shared_ptr<const oversketch::Motion> motion);
 
@@ -109,7 +109,7 @@ protected:
   vtkOversketchRetriangulate();
   ~vtkOversketchRetriangulate() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchRetriangulate(const vtkOversketchRetriangulate&) = delete;

@@ -1,11 +1,10 @@
 #include "vtkOversketchDistanceField.h"
 
 #include "Shading/fields.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkObjectFactory.h"
@@ -17,10 +16,8 @@
 using namespace oversketch;
 
 // The last fields, and what they were made of.
-struct vtkOversketchDistanceField::Cache
+struct vtkOversketchDistanceField::Cache : KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>>
 {
-  StepKey Key;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
 };
 
 vtkStandardNewMacro(vtkOversketchDistanceField);
@@ -65,53 +62,43 @@ vtkOversketchDistanceField::vtkOversketchDistanceField()
 
 vtkOversketchDistanceField::~vtkOversketchDistanceField() = default;
 
-int vtkOversketchDistanceField::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+  requireSmoothing(this->FieldSmoothing, "FieldSmoothing");
+  requireSmoothing(this->ParameterSmoothing, "ParameterSmoothing");
+  FieldRules rules;
+  rules.straight = this->AsPublished || this->Measure == EUCLIDEAN;
+  rules.smoothing = this->AsPublished ? 0.0 : this->FieldSmoothing;
+  rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
+  const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
+    { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
+  const auto& arrays = this->Internals->Provide(key,
     [&]
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->FieldCount;
+      std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
+      const InsidePatch inside = InsideOf(mesh, false);
+      for (int& vertex : chain)
       {
-        return;
+        vertex = inside.Numbers[vertex];
       }
-      requireSmoothing(this->FieldSmoothing, "FieldSmoothing");
-      requireSmoothing(this->ParameterSmoothing, "ParameterSmoothing");
-      FieldRules rules;
-      rules.straight = this->AsPublished || this->Measure == EUCLIDEAN;
-      rules.smoothing = this->AsPublished ? 0.0 : this->FieldSmoothing;
-      rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
-      const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
-        { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
-      Cache& cache = *this->Internals;
-      if (cache.Arrays.empty() || cache.Key != key)
-      {
-        cache.Arrays.clear(); // so that nothing stale is left when making fails
-        ++this->FieldCount;
-        std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
-        const InsidePatch inside = InsideOf(mesh, false);
-        for (int& vertex : chain)
-        {
-          vertex = inside.Numbers[vertex];
-        }
-        const CurveFields fields = curveFields(inside.Patch, chain, rules, ContextOf(this));
-        const vtkIdType points = mesh->GetNumberOfPoints();
-        const std::vector<int>& vertices = inside.Vertices;
-        cache.Arrays = { meshArray<vtkDoubleArray>("CurveDistance", points, 1.0, vertices, fields.share),
-          meshArray<vtkDoubleArray>("CurveParameter", points, 0.0, vertices, fields.parameter),
-          meshArray<vtkIntArray>("CurveSide", points, 0.0, vertices, fields.side) };
-        cache.Key = key;
-      }
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      output->ShallowCopy(mesh);
-      for (vtkDataArray* array : cache.Arrays)
-      {
-        output->GetPointData()->AddArray(array);
-      }
+      const CurveFields fields = curveFields(inside.Patch, chain, rules, ContextOf(this));
+      const vtkIdType points = mesh->GetNumberOfPoints();
+      const std::vector<int>& vertices = inside.Vertices;
+      return std::vector<vtkSmartPointer<vtkDataArray>>{
+        meshArray<vtkDoubleArray>("CurveDistance", points, 1.0, vertices, fields.share),
+        meshArray<vtkDoubleArray>("CurveParameter", points, 0.0, vertices, fields.parameter),
+        meshArray<vtkIntArray>("CurveSide", points, 0.0, vertices, fields.side)
+      };
     });
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(mesh);
+  for (vtkDataArray* array : arrays)
+  {
+    output->GetPointData()->AddArray(array);
+  }
 }
 
 void vtkOversketchDistanceField::PrintSelf(ostream& os, vtkIndent indent)

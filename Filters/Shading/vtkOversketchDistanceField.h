@@ -31,15 +31,15 @@
 #define vtkOversketchDistanceField_h
 
 #include "OversketchFiltersShadingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchDistanceField : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchDistanceField : public vtkOversketchFilter
 {
 public:
   static vtkOversketchDistanceField* New();
-  vtkTypeMacro(vtkOversketchDistanceField, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchDistanceField, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -98,7 +98,7 @@ protected:
   vtkOversketchDistanceField();
   ~vtkOversketchDistanceField() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchDistanceField(const vtkOversketchDistanceField&) = delete;

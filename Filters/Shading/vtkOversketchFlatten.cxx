@@ -1,14 +1,13 @@
 #include "vtkOversketchFlatten.h"
 
 #include "Shading/flatten.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,10 +38,7 @@ namespace
 
 vtkSmartPointer<vtkDoubleArray> coordinateArray(vtkIdType points)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName("DiscCoords");
-  array->SetNumberOfComponents(2);
-  array->SetNumberOfTuples(points);
+  auto array = NewArray<vtkDoubleArray>("DiscCoords", 2, points);
   array->Fill(-1.0);
   return array;
 }
@@ -54,8 +50,7 @@ vtkSmartPointer<vtkPolyData> discOf(const InsidePatch& inside,
   auto disc = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("VertexId");
+  const auto ids = NewArray<vtkIdTypeArray>("VertexId");
   const auto coordinates = coordinateArray(static_cast<vtkIdType>(places.size()));
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -120,41 +115,31 @@ vtkOversketchFlatten::vtkOversketchFlatten()
 
 vtkOversketchFlatten::~vtkOversketchFlatten() = default;
 
-int vtkOversketchFlatten::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchFlatten::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const int rounds = this->AsPublished ? 0 : balancingRounds;
-      const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
-      const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
-      Cache& cache = *this->Internals;
-      if (!cache.Made || cache.Key != key)
-      {
-        cache.Made = false; // so that nothing stale is left when making fails
-        ++this->FlattenCount;
-        InsidePatch inside = InsideOf(mesh, this->AsPublished);
-        const std::vector<Vector2> places = flattened(inside.Patch, ContextOf(this), rounds);
-        cache.Coordinates = coordinateArray(mesh->GetNumberOfPoints());
-        cache.Disc = discOf(inside, places, cache.Coordinates);
-        cache.Numbers = std::move(inside.Numbers);
-        cache.Key = key;
-        cache.Made = true;
-      }
-      layOnDisc(reference, chain, cache.Numbers, cache.Disc, vtkPolyData::GetData(outputs, 2));
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      output->ShallowCopy(mesh);
-      output->GetPointData()->AddArray(cache.Coordinates);
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Disc);
-    });
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
+  const int rounds = this->AsPublished ? 0 : balancingRounds;
+  const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
+  const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
+  Cache& cache = *this->Internals;
+  if (!cache.Made || cache.Key != key)
+  {
+    cache.Made = false; // so that nothing stale is left when making fails
+    ++this->FlattenCount;
+    InsidePatch inside = InsideOf(mesh, this->AsPublished);
+    const std::vector<Vector2> places = flattened(inside.Patch, ContextOf(this), rounds);
+    cache.Coordinates = coordinateArray(mesh->GetNumberOfPoints());
+    cache.Disc = discOf(inside, places, cache.Coordinates);
+    cache.Numbers = std::move(inside.Numbers);
+    cache.Key = key;
+    cache.Made = true;
+  }
+  layOnDisc(reference, chain, cache.Numbers, cache.Disc, vtkPolyData::GetData(outputs, 2));
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(mesh);
+  output->GetPointData()->AddArray(cache.Coordinates);
+  vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Disc);
 }
 
 void vtkOversketchFlatten::PrintSelf(ostream& os, vtkIndent indent)

@@ -35,15 +35,15 @@
 #define vtkOversketchFlatten_h
 
 #include "OversketchFiltersShadingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchFlatten : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchFlatten : public vtkOversketchFilter
 {
 public:
   static vtkOversketchFlatten* New();
-  vtkTypeMacro(vtkOversketchFlatten, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchFlatten, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -78,7 +78,7 @@ protected:
   vtkOversketchFlatten();
   ~vtkOversketchFlatten() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchFlatten(const vtkOversketchFlatten&) = delete;

@@ -4,17 +4,15 @@
 
 #include "Shading/scan_fill.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchShadingTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -25,10 +23,8 @@ using namespace oversketch;
 
 // The last mask, and what it was made of.
 struct vtkOversketchScanFill::Cache
+  : KeptValue<std::pair<vtkSmartPointer<vtkPolyData>, vtkSmartPointer<vtkImageData>>>
 {
-  StepKey Key;
-  vtkSmartPointer<vtkPolyData> Areas;
-  vtkSmartPointer<vtkImageData> Mask;
 };
 
 vtkStandardNewMacro(vtkOversketchScanFill);
@@ -77,21 +73,12 @@ Polyline onDisc(vtkPolyData* strokes, const DrawnLine& line, std::size_t stroke)
 vtkSmartPointer<vtkPolyData> areasOf(vtkPolyData* strokes, const std::vector<Polyline>& outlines)
 {
   auto areas = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
+  Polylines lines;
   for (const Polyline& outline : outlines)
   {
-    lines->InsertNextCell(static_cast<int>(outline.size()) + 1);
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (const Vector2& p : outline)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-    }
-    lines->InsertCellPoint(first);
+    lines.Add(outline, true);
   }
-  areas->SetPoints(points);
-  areas->SetLines(lines);
+  lines.Put(areas);
   areas->GetCellData()->PassData(strokes->GetCellData());
   for (const char* name : viewArrays)
   {
@@ -104,8 +91,7 @@ vtkSmartPointer<vtkImageData> maskOf(const std::vector<Polyline>& outlines, int 
 {
   auto mask = vtkSmartPointer<vtkImageData>::New();
   LayOnDisc(mask, size);
-  vtkNew<vtkUnsignedCharArray> array;
-  array->SetName("Area");
+  const auto array = NewArray<vtkUnsignedCharArray>("Area");
   const int areas = static_cast<int>(outlines.size());
   array->SetNumberOfComponents(areas);
   array->SetNumberOfTuples(mask->GetNumberOfPoints());
@@ -156,43 +142,28 @@ int vtkOversketchScanFill::RequestInformation(vtkInformation*,
   return 1;
 }
 
-int vtkOversketchScanFill::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchScanFill::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
+  const auto& [areas, mask] = this->Internals->Provide(key,
     [&]
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* mask = vtkImageData::GetData(outputs, 1);
-      if (strokes->GetNumberOfPoints() == 0)
+      ++this->FillCount;
+      const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
+      if (lines.size() > mostAreas)
       {
-        mask->Initialize();
-        return;
+        throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
       }
-      const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
-      Cache& cache = *this->Internals;
-      if (!cache.Mask || cache.Key != key)
+      std::vector<Polyline> outlines;
+      for (std::size_t i = 0; i < lines.size(); ++i)
       {
-        cache.Mask = nullptr; // so that nothing stale is left when making fails
-        ++this->FillCount;
-        const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
-        if (lines.size() > mostAreas)
-        {
-          throw Error(Failure::BadStroke, "There are %1 areas; there can be 64, remove some.", lines.size());
-        }
-        std::vector<Polyline> outlines;
-        for (std::size_t i = 0; i < lines.size(); ++i)
-        {
-          outlines.push_back(onDisc(strokes, lines[i], i));
-        }
-        cache.Areas = areasOf(strokes, outlines);
-        cache.Mask = maskOf(outlines, this->Resolution, ContextOf(this));
-        cache.Key = key;
+        outlines.push_back(onDisc(strokes, lines[i], i));
       }
-      vtkPolyData::GetData(outputs, 0)->ShallowCopy(cache.Areas);
-      mask->ShallowCopy(cache.Mask);
+      return std::make_pair(areasOf(strokes, outlines), maskOf(outlines, this->Resolution, ContextOf(this)));
     });
+  vtkPolyData::GetData(outputs, 0)->ShallowCopy(areas);
+  vtkImageData::GetData(outputs, 1)->ShallowCopy(mask);
 }
 
 void vtkOversketchScanFill::PrintSelf(ostream& os, vtkIndent indent)

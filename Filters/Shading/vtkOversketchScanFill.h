@@ -30,17 +30,17 @@
 #define vtkOversketchScanFill_h
 
 #include "OversketchFiltersShadingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
 class vtkImageData;
 
-class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchScanFill : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchScanFill : public vtkOversketchFilter
 {
 public:
   static vtkOversketchScanFill* New();
-  vtkTypeMacro(vtkOversketchScanFill, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchScanFill, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -66,7 +66,7 @@ protected:
   ~vtkOversketchScanFill() override;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchScanFill(const vtkOversketchScanFill&) = delete;

@@ -4,7 +4,7 @@
 
 #include "Shading/layer_list.h"
 #include "Shading/texels.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -13,7 +13,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -173,32 +172,20 @@ int vtkOversketchShadingLevels::RequestUpdateExtent(vtkInformation* request,
   return done;
 }
 
-int vtkOversketchShadingLevels::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchShadingLevels::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* disc = vtkPolyData::GetData(inputs[1]);
-      vtkImageData* areas = vtkImageData::GetData(inputs[2]);
-      vtkImageData* image = vtkImageData::GetData(outputs, 1);
-      vtkImageData* display = vtkImageData::GetData(outputs, 2);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        image->Initialize();
-        display->Initialize();
-        return;
-      }
-      this->Shade(mesh, disc, areas);
-      const Cache& cache = *this->Internals;
-      vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-      output->ShallowCopy(mesh);
-      output->GetPointData()->AddArray(cache.Weights);
-      image->ShallowCopy(cache.Image);
-      display->ShallowCopy(cache.Display);
-    });
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* disc = vtkPolyData::GetData(inputs[1]);
+  vtkImageData* areas = vtkImageData::GetData(inputs[2]);
+  vtkImageData* image = vtkImageData::GetData(outputs, 1);
+  vtkImageData* display = vtkImageData::GetData(outputs, 2);
+  this->Shade(mesh, disc, areas);
+  const Cache& cache = *this->Internals;
+  vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
+  output->ShallowCopy(mesh);
+  output->GetPointData()->AddArray(cache.Weights);
+  image->ShallowCopy(cache.Image);
+  display->ShallowCopy(cache.Display);
 }
 
 void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtkImageData* areas)
@@ -284,15 +271,11 @@ void vtkOversketchShadingLevels::Paint(vtkIdType points,
 {
   const auto falloff =
     this->AsPublished || this->Falloff == LINEAR ? oversketch::Falloff::Linear : oversketch::Falloff::Smooth;
-  const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
-  weights->SetName("EditWeight");
-  weights->SetNumberOfTuples(points);
+  const auto weights = NewArray<vtkDoubleArray>("EditWeight", 1, points);
   weights->FillValue(0.0);
-  vtkNew<vtkFloatArray> texels;
-  texels->SetName("Weight");
-  vtkNew<vtkUnsignedCharArray> greys;
-  greys->SetName("Grey");
-  texels->SetNumberOfValues(static_cast<vtkIdType>(this->Resolution) * this->Resolution);
+  const auto texels =
+    NewArray<vtkFloatArray>("Weight", 1, static_cast<vtkIdType>(this->Resolution) * this->Resolution);
+  const auto greys = NewArray<vtkUnsignedCharArray>("Grey");
   texels->FillValue(0.0f);
   greys->SetNumberOfValues(texels->GetNumberOfValues());
   greys->FillValue(0);

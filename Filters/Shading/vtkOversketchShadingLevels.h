@@ -35,7 +35,7 @@
 #define vtkOversketchShadingLevels_h
 
 #include "OversketchFiltersShadingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 #include <string>
@@ -49,11 +49,11 @@ struct ShadedArea;
 
 class vtkImageData;
 
-class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchShadingLevels : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchShadingLevels : public vtkOversketchFilter
 {
 public:
   static vtkOversketchShadingLevels* New();
-  vtkTypeMacro(vtkOversketchShadingLevels, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchShadingLevels, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -149,7 +149,7 @@ protected:
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchShadingLevels(const vtkOversketchShadingLevels&) = delete;

@@ -1,6 +1,6 @@
 #include "vtkOversketchShadingTools.h"
 
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"

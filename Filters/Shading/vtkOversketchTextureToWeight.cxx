@@ -3,7 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Shading/texels.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchShadingTools.h"
 
 #include "vtkDoubleArray.h"
@@ -18,10 +18,8 @@
 using namespace oversketch;
 
 // The last weights, and what they were read from.
-struct vtkOversketchTextureToWeight::Cache
+struct vtkOversketchTextureToWeight::Cache : KeptValue<vtkSmartPointer<vtkDoubleArray>>
 {
-  StepKey Key;
-  vtkSmartPointer<vtkDoubleArray> Weights;
 };
 
 vtkStandardNewMacro(vtkOversketchTextureToWeight);
@@ -111,50 +109,31 @@ int vtkOversketchTextureToWeight::RequestUpdateExtent(vtkInformation* request,
   return done;
 }
 
-int vtkOversketchTextureToWeight::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkImageData* image = vtkImageData::GetData(inputs[1]);
+  ContextOf(this).checkpoint(0.0);
+  const GreyImage greys(image);
+  vtkPointData* data = mesh->GetPointData();
+  const StepKey key(
+    { ArraysKey(
+      { data->GetArray("EditRegion"), data->GetArray("DiscCoords"), image->GetPointData()->GetScalars() }) },
+    { static_cast<double>(image->GetDimensions()[0]) });
+  vtkDataArray* weights = this->Internals->Provide(key,
     [&]
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkImageData* image = vtkImageData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      const std::vector<char> labels = ReadEditRegion(mesh);
+      const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
+      auto made = NewArray<vtkDoubleArray>("EditWeight", 1, mesh->GetNumberOfPoints());
+      for (std::size_t v = 0; v < labels.size(); ++v)
       {
-        return;
+        made->SetValue(
+          static_cast<vtkIdType>(v), labels[v] == EditLabel::Inside ? greys.At(coordinates[v]) : 0.0);
       }
-      ContextOf(this).checkpoint(0.0);
-      const GreyImage greys(image);
-      vtkPointData* data = mesh->GetPointData();
-      const StepKey key({ ArraysKey({ data->GetArray("EditRegion"),
-                          data->GetArray("DiscCoords"),
-                          image->GetPointData()->GetScalars() }) },
-        { static_cast<double>(image->GetDimensions()[0]) });
-      Cache& cache = *this->Internals;
-      if (!cache.Weights || cache.Key != key)
-      {
-        cache.Weights = nullptr; // so that nothing stale is left when making fails
-        const std::vector<char> labels = ReadEditRegion(mesh);
-        const std::vector<Vector2> coordinates = DiscCoordsOf(mesh, labels);
-        const auto weights = vtkSmartPointer<vtkDoubleArray>::New();
-        weights->SetName("EditWeight");
-        weights->SetNumberOfTuples(mesh->GetNumberOfPoints());
-        for (std::size_t v = 0; v < labels.size(); ++v)
-        {
-          weights->SetValue(
-            static_cast<vtkIdType>(v), labels[v] == EditLabel::Inside ? greys.At(coordinates[v]) : 0.0);
-        }
-        cache.Weights = weights;
-        cache.Key = key;
-      }
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      output->ShallowCopy(mesh);
-      output->GetPointData()->AddArray(cache.Weights);
+      return made;
     });
-}
-
-void vtkOversketchTextureToWeight::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(mesh);
+  output->GetPointData()->AddArray(weights);
 }

@@ -27,16 +27,15 @@
 #define vtkOversketchTextureToWeight_h
 
 #include "OversketchFiltersShadingModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchTextureToWeight : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchTextureToWeight : public vtkOversketchFilter
 {
 public:
   static vtkOversketchTextureToWeight* New();
-  vtkTypeMacro(vtkOversketchTextureToWeight, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkOversketchTextureToWeight, vtkOversketchFilter);
 
   /**
    * The image, on port 1.
@@ -49,7 +48,7 @@ protected:
   ~vtkOversketchTextureToWeight() override;
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchTextureToWeight(const vtkOversketchTextureToWeight&) = delete;

@@ -33,13 +33,13 @@
 #define vtkOversketchCorrection_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchCorrection : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchCorrection : public vtkOversketchFilter
 {
 public:
   static vtkOversketchCorrection* New();
-  vtkTypeMacro(vtkOversketchCorrection, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchCorrection, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -72,7 +72,7 @@ protected:
   vtkOversketchCorrection();
   ~vtkOversketchCorrection() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchCorrection(const vtkOversketchCorrection&) = delete;

@@ -139,12 +139,8 @@ CurveSet ReadCurves(vtkPolyData* input, int meshVertices, const std::string& hol
     set.Ids.push_back(i);
   }
   vtkCellData* cellData = input->GetCellData();
-  const bool withIds = cellData->HasArray("CurveId") != 0;
-  const bool withVisible = cellData->HasArray("Visible") != 0;
-  vtkDataArray* curveIds =
-    withIds ? RequireArray(cellData, "CurveId", 1, cellCount, holder, remedy) : nullptr;
-  vtkDataArray* visible =
-    withVisible ? RequireArray(cellData, "Visible", 1, cellCount, holder, remedy) : nullptr;
+  vtkDataArray* curveIds = OptionalArray(cellData, "CurveId", 1, cellCount, holder, remedy);
+  vtkDataArray* visible = OptionalArray(cellData, "Visible", 1, cellCount, holder, remedy);
   for (vtkIdType i = 0; i < cellCount; ++i)
   {
     if (curveIds)

@@ -6,6 +6,7 @@
 #include "vtkOversketchCurveTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchPolylines.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -18,7 +19,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <limits>
@@ -58,17 +58,10 @@ Polyline AlongCell(vtkDataArray* array, vtkPolyData* curves, vtkIdType cell, std
 // The samples as a stroke in the other one's view.
 void WriteStroke(const Polyline& samples, vtkPolyData* like, vtkPolyData* stroke)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> line;
-  line->InsertNextCell(static_cast<int>(samples.size()));
-  for (const Vector2& p : samples)
-  {
-    line->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
   stroke->Initialize();
-  stroke->SetPoints(points);
-  stroke->SetLines(line);
+  Polylines line;
+  line.Add(samples);
+  line.Put(stroke);
   stroke->GetCellData()->PassData(like->GetCellData());
   stroke->GetFieldData()->PassData(like->GetFieldData());
 }
@@ -169,10 +162,8 @@ void vtkOversketchMatch::Cache::Read(vtkInformationVector* inputs, const View& v
     vtkPointData* pointData = input->GetPointData();
     const auto optional = [&](const char* name)
     {
-      return pointData->HasArray(name)
-               ? RequireArray(
-                   pointData, name, 2, input->GetNumberOfPoints(), "curves", "vtkOversketchOutline makes it")
-               : nullptr;
+      return OptionalArray(
+        pointData, name, 2, input->GetNumberOfPoints(), "curves", "vtkOversketchOutline makes it");
     };
     vtkDataArray* displays = optional("Display");
     vtkDataArray* offsets = optional("Offset");
@@ -263,11 +254,8 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       this->NumberOfCandidates = match.rivals;
       const Source& source = sources[match.candidate];
       Curve section;
-      vtkNew<vtkDoubleArray> displays, offsets;
-      displays->SetName("Display");
-      displays->SetNumberOfComponents(2);
-      offsets->SetName("Offset");
-      offsets->SetNumberOfComponents(2);
+      const auto displays = NewArray<vtkDoubleArray>("Display", 2);
+      const auto offsets = NewArray<vtkDoubleArray>("Offset", 2);
       for (const Blend& place : match.places)
       {
         section.points.push_back(
@@ -280,22 +268,13 @@ int vtkOversketchMatch::RequestData(vtkInformation*,
       WriteCurves({ section }, view, output);
       output->GetPointData()->AddArray(displays);
       output->GetPointData()->AddArray(offsets);
-      vtkNew<vtkIntArray> id;
-      id->SetName("CurveId");
-      id->InsertNextValue(source.CurveId);
-      output->GetCellData()->AddArray(id);
+      output->GetCellData()->AddArray(OneValue<vtkIntArray>("CurveId", source.CurveId));
       for (const auto& [name, value] :
         { std::pair("Distance", match.distance), std::pair("Score", match.score) })
       {
-        vtkNew<vtkDoubleArray> figure;
-        figure->SetName(name);
-        figure->InsertNextValue(value);
-        output->GetFieldData()->AddArray(figure);
+        output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(name, value));
       }
-      vtkNew<vtkIntArray> connection;
-      connection->SetName("Candidate");
-      connection->InsertNextValue(source.Connection);
-      output->GetFieldData()->AddArray(connection);
+      output->GetFieldData()->AddArray(OneValue<vtkIntArray>("Candidate", source.Connection));
     });
 }
 

@@ -7,10 +7,8 @@
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -156,96 +154,75 @@ vtkIdType vtkOversketchOutline::GetTraceCount()
   return this->Internals->TraceCount;
 }
 
-int vtkOversketchOutline::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchOutline::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+  const View view = ViewOf(stroke);
+  const std::shared_ptr<const MeshData> data = SharedMesh(input);
+  const Mesh& mesh = data->Surface();
+  CurveSet set = ReadCurves(vtkPolyData::GetData(inputs[2]), mesh.vertexCount(), "silhouette curves");
+
+  // A picture of ordinary size has a window of its own, so that a new stroke in the same view finds its
+  // loops.
+  const PixelWindow window = outlineWindow(mesh, view, StrokeOf(stroke), ContextOf(this, 0.0, 0.0));
+  Cache& cache = *this->Internals;
+  if (cache.Data != data || !cache.Seen || !SameView(*cache.Seen, view) || !(cache.Window == window))
+  {
+    cache.Seen.reset();
+    cache.Loops = traceOutline(mesh, view, window, ContextOf(this, 0.0, 0.9));
+    cache.Data = data;
+    cache.Window = window;
+    cache.Seen = view;
+    ++cache.TraceCount;
+  }
+
+  std::vector<VisibleCurve> visible;
+  for (std::size_t i = 0; i < set.Curves.size(); ++i)
+  {
+    visible.push_back({ {}, {}, set.Curves[i].closed });
+    for (const CurvePoint& p : set.Curves[i].points)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
+      // Numbered as in the set, also where nothing of the curve is seen.
+      if (set.Visible[i] && view.inFront(p.position))
       {
-        return;
+        visible.back().display.push_back(view.toDisplay(p.position).head<2>());
+        // Farther than the facets explain lies an inner feature, a crease between toes: its points would
+        // pull against the outline's own.
+        visible.back().reach.push_back(0.5 * EdgeLength(p, *data, view));
       }
-      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
-      const View view = ViewOf(stroke);
-      const std::shared_ptr<const MeshData> data = SharedMesh(input);
-      const Mesh& mesh = data->Surface();
-      CurveSet set = ReadCurves(vtkPolyData::GetData(inputs[2]), mesh.vertexCount(), "silhouette curves");
+    }
+    if (visible.back().display.size() != set.Curves[i].points.size())
+    {
+      visible.back().display.clear();
+    }
+  }
+  const auto outlines = attachSilhouette(cache.Loops, visible, attachDistance, true);
 
-      // A picture of ordinary size has a window of its own, so that a new stroke in the same view finds its
-      // loops.
-      const PixelWindow window = outlineWindow(mesh, view, StrokeOf(stroke), ContextOf(this, 0.0, 0.0));
-      Cache& cache = *this->Internals;
-      if (cache.Data != data || !cache.Seen || !SameView(*cache.Seen, view) || !(cache.Window == window))
-      {
-        cache.Seen.reset();
-        cache.Loops = traceOutline(mesh, view, window, ContextOf(this, 0.0, 0.9));
-        cache.Data = data;
-        cache.Window = window;
-        cache.Seen = view;
-        ++cache.TraceCount;
-      }
-
-      std::vector<VisibleCurve> visible;
-      for (std::size_t i = 0; i < set.Curves.size(); ++i)
-      {
-        visible.push_back({ {}, {}, set.Curves[i].closed });
-        for (const CurvePoint& p : set.Curves[i].points)
-        {
-          // Numbered as in the set, also where nothing of the curve is seen.
-          if (set.Visible[i] && view.inFront(p.position))
-          {
-            visible.back().display.push_back(view.toDisplay(p.position).head<2>());
-            // Farther than the facets explain lies an inner feature, a crease between toes: its points would
-            // pull against the outline's own.
-            visible.back().reach.push_back(0.5 * EdgeLength(p, *data, view));
-          }
-        }
-        if (visible.back().display.size() != set.Curves[i].points.size())
-        {
-          visible.back().display.clear();
-        }
-      }
-      const auto outlines = attachSilhouette(cache.Loops, visible, attachDistance, true);
-
-      const double defaultDepth = SomeDepth(mesh, view);
-      std::vector<Curve> curves;
-      vtkNew<vtkDoubleArray> displays, offsets;
-      displays->SetName("Display");
-      displays->SetNumberOfComponents(2);
-      offsets->SetName("Offset");
-      offsets->SetNumberOfComponents(2);
-      vtkNew<vtkIntArray> ids;
-      ids->SetName("CurveId");
-      vtkNew<vtkUnsignedCharArray> flags, holes;
-      flags->SetName("Visible");
-      holes->SetName("Hole");
-      for (std::size_t l = 0; l < outlines.size(); ++l)
-      {
-        curves.push_back(
-          PlaceLoop(outlines[l], cache.Loops[l].closed, set.Curves, *data, view, defaultDepth));
-        for (const OutlineStation& station : outlines[l])
-        {
-          displays->InsertNextTuple(station.display.data());
-          offsets->InsertNextTuple(station.offset.data());
-        }
-        ids->InsertNextValue(static_cast<int>(l));
-        flags->InsertNextValue(1);
-        holes->InsertNextValue(cache.Loops[l].hole);
-      }
-      WriteCurves(curves, view, output);
-      output->GetPointData()->AddArray(displays);
-      output->GetPointData()->AddArray(offsets);
-      output->GetCellData()->AddArray(ids);
-      output->GetCellData()->AddArray(flags);
-      output->GetCellData()->AddArray(holes);
-    });
-}
-
-void vtkOversketchOutline::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
+  const double defaultDepth = SomeDepth(mesh, view);
+  std::vector<Curve> curves;
+  const auto displays = NewArray<vtkDoubleArray>("Display", 2);
+  const auto offsets = NewArray<vtkDoubleArray>("Offset", 2);
+  const auto ids = NewArray<vtkIntArray>("CurveId");
+  const auto flags = NewArray<vtkUnsignedCharArray>("Visible");
+  const auto holes = NewArray<vtkUnsignedCharArray>("Hole");
+  for (std::size_t l = 0; l < outlines.size(); ++l)
+  {
+    curves.push_back(PlaceLoop(outlines[l], cache.Loops[l].closed, set.Curves, *data, view, defaultDepth));
+    for (const OutlineStation& station : outlines[l])
+    {
+      displays->InsertNextTuple(station.display.data());
+      offsets->InsertNextTuple(station.offset.data());
+    }
+    ids->InsertNextValue(static_cast<int>(l));
+    flags->InsertNextValue(1);
+    holes->InsertNextValue(cache.Loops[l].hole);
+  }
+  WriteCurves(curves, view, output);
+  output->GetPointData()->AddArray(displays);
+  output->GetPointData()->AddArray(offsets);
+  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->AddArray(flags);
+  output->GetCellData()->AddArray(holes);
 }

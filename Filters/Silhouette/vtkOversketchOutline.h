@@ -47,16 +47,15 @@
 #define vtkOversketchOutline_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchOutline : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchOutline : public vtkOversketchFilter
 {
 public:
   static vtkOversketchOutline* New();
-  vtkTypeMacro(vtkOversketchOutline, vtkPolyDataAlgorithm);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeMacro(vtkOversketchOutline, vtkOversketchFilter);
 
   /**
    * The stroke whose view is used, on port 1.
@@ -79,7 +78,7 @@ protected:
   vtkOversketchOutline();
   ~vtkOversketchOutline() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchOutline(const vtkOversketchOutline&) = delete;

@@ -6,7 +6,6 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -36,28 +35,18 @@ vtkOversketchSilhouette::vtkOversketchSilhouette()
 
 vtkOversketchSilhouette::~vtkOversketchSilhouette() = default;
 
-int vtkOversketchSilhouette::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchSilhouette::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const View view = ViewOf(vtkPolyData::GetData(inputs[1]));
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(StepKey({ SurfaceKey(input) }, view, {}),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const View view = ViewOf(vtkPolyData::GetData(inputs[1]));
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey({ SurfaceKey(input) }, view, {}),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->ExtractionCount;
-          WriteCurves(cache.Extract(input, view), view, result);
-        });
+      ++this->ExtractionCount;
+      WriteCurves(cache.Extract(input, view), view, result);
     });
 }
 

@@ -35,15 +35,15 @@
 #define vtkOversketchSilhouette_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchSilhouette : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchSilhouette : public vtkOversketchFilter
 {
 public:
   static vtkOversketchSilhouette* New();
-  vtkTypeMacro(vtkOversketchSilhouette, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchSilhouette, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -61,7 +61,7 @@ protected:
   vtkOversketchSilhouette();
   ~vtkOversketchSilhouette() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchSilhouette(const vtkOversketchSilhouette&) = delete;

@@ -6,7 +6,6 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -29,40 +28,30 @@ vtkOversketchSnake::vtkOversketchSnake()
 
 vtkOversketchSnake::~vtkOversketchSnake() = default;
 
-int vtkOversketchSnake::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchSnake::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) }, view, { this->Epsilon }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (curves->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) }, view, { this->Epsilon }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->SmoothingCount;
-          cache.Data = SharedMesh(mesh);
-          const MeshData& data = *cache.Data;
-          const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
-          WriteCurves(smoothSilhouette(read.Curves,
-                        data.Surface(),
-                        data.Neighbours(),
-                        data.Normals(),
-                        view,
-                        this->Epsilon,
-                        ContextOf(this)),
-            view,
-            result);
-        });
+      ++this->SmoothingCount;
+      cache.Data = SharedMesh(mesh);
+      const MeshData& data = *cache.Data;
+      const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
+      WriteCurves(smoothSilhouette(read.Curves,
+                    data.Surface(),
+                    data.Neighbours(),
+                    data.Normals(),
+                    view,
+                    this->Epsilon,
+                    ContextOf(this)),
+        view,
+        result);
     });
 }
 

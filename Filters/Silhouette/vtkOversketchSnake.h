@@ -36,15 +36,15 @@
 #define vtkOversketchSnake_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchSnake : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchSnake : public vtkOversketchFilter
 {
 public:
   static vtkOversketchSnake* New();
-  vtkTypeMacro(vtkOversketchSnake, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchSnake, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -77,7 +77,7 @@ protected:
   vtkOversketchSnake();
   ~vtkOversketchSnake() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchSnake(const vtkOversketchSnake&) = delete;

@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -40,10 +39,8 @@ std::vector<SectionPoint> ReadSection(vtkPolyData* input, const Mesh& mesh, cons
   vtkPointData* pointData = input->GetPointData();
   const auto optional = [&](const char* name)
   {
-    return pointData->HasArray(name)
-             ? RequireArray(
-                 pointData, name, 2, input->GetNumberOfPoints(), "section", "vtkOversketchMatch makes it")
-             : nullptr;
+    return OptionalArray(
+      pointData, name, 2, input->GetNumberOfPoints(), "section", "vtkOversketchMatch makes it");
   };
   vtkDataArray* displays = optional("Display");
   vtkDataArray* offsets = optional("Offset");
@@ -92,84 +89,71 @@ vtkOversketchTargets::vtkOversketchTargets()
 
 vtkOversketchTargets::~vtkOversketchTargets() = default;
 
-int vtkOversketchTargets::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchTargets::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* meshData = vtkPolyData::GetData(inputs[2]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (meshData->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+  const View view = ViewOf(stroke);
+  const Polyline samples = StrokeOf(stroke);
+  this->Internals->Data = SharedMesh(meshData);
+  const MeshData& mesh = *this->Internals->Data;
+  const std::vector<SectionPoint> section = ReadSection(input, mesh.Surface(), view);
+  std::vector<Handle> handles = mapTargets(section, samples, view, this->Omega);
+  if (this->SingleLayer)
+  {
+    handles = keepOneLayer(handles, section, mesh.Surface(), mesh.Neighbours(), view);
+    if (handles.size() < 2)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* meshData = vtkPolyData::GetData(inputs[2]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0 || meshData->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
-      const View view = ViewOf(stroke);
-      const Polyline samples = StrokeOf(stroke);
-      this->Internals->Data = SharedMesh(meshData);
-      const MeshData& mesh = *this->Internals->Data;
-      const std::vector<SectionPoint> section = ReadSection(input, mesh.Surface(), view);
-      std::vector<Handle> handles = mapTargets(section, samples, view, this->Omega);
-      if (this->SingleLayer)
-      {
-        handles = keepOneLayer(handles, section, mesh.Surface(), mesh.Neighbours(), view);
-        if (handles.size() < 2)
-        {
-          throw Error(Failure::NoMatch,
-            "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} "
-            "or draw "
-            "along another outline.");
-        }
-      }
+      throw Error(Failure::NoMatch,
+        "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} "
+        "or draw "
+        "along another outline.");
+    }
+  }
 
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      vtkNew<vtkCellArray> vertices;
-      vtkNew<vtkIdTypeArray> handleIds;
-      vtkNew<vtkDoubleArray> targets, unmerged, relative, ratios;
-      handleIds->SetName("HandleId");
-      targets->SetName("Target");
-      targets->SetNumberOfComponents(3);
-      unmerged->SetName("UnmergedTarget");
-      unmerged->SetNumberOfComponents(3);
-      relative->SetName("RelativePosition");
-      ratios->SetName("MergeRatio");
-      std::vector<Binding> bindings;
-      std::vector<Vector3> present, wanted;
-      for (const Handle& handle : handles)
-      {
-        const SectionPoint& q = section[handle.point];
-        const vtkIdType id = points->InsertNextPoint(q.position.data());
-        vertices->InsertNextCell(1, &id);
-        handleIds->InsertNextValue(id);
-        bindings.push_back(q.binding);
-        targets->InsertNextTuple(handle.target.data());
-        unmerged->InsertNextTuple(handle.unmerged.data());
-        relative->InsertNextValue(handle.relative);
-        ratios->InsertNextValue(oversketch::mergeRatio(handle.relative, this->Omega));
-        present.push_back(q.position);
-        wanted.push_back(handle.target);
-      }
-      output->SetPoints(points);
-      output->SetVerts(vertices);
-      output->GetPointData()->AddArray(handleIds);
-      WriteBindings(bindings, output);
-      for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ targets, unmerged, relative, ratios })
-      {
-        output->GetPointData()->AddArray(array);
-      }
-      for (const auto& [name, value] :
-        { std::pair("SectionLength", curveLength(present)), std::pair("TargetLength", curveLength(wanted)) })
-      {
-        vtkNew<vtkDoubleArray> length;
-        length->SetName(name);
-        length->InsertNextValue(value);
-        output->GetFieldData()->AddArray(length);
-      }
-    });
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  const auto handleIds = NewArray<vtkIdTypeArray>("HandleId");
+  const auto targets = NewArray<vtkDoubleArray>("Target", 3);
+  const auto unmerged = NewArray<vtkDoubleArray>("UnmergedTarget", 3);
+  const auto relative = NewArray<vtkDoubleArray>("RelativePosition");
+  const auto ratios = NewArray<vtkDoubleArray>("MergeRatio");
+  std::vector<Binding> bindings;
+  std::vector<Vector3> present, wanted;
+  for (const Handle& handle : handles)
+  {
+    const SectionPoint& q = section[handle.point];
+    const vtkIdType id = points->InsertNextPoint(q.position.data());
+    vertices->InsertNextCell(1, &id);
+    handleIds->InsertNextValue(id);
+    bindings.push_back(q.binding);
+    targets->InsertNextTuple(handle.target.data());
+    unmerged->InsertNextTuple(handle.unmerged.data());
+    relative->InsertNextValue(handle.relative);
+    ratios->InsertNextValue(oversketch::mergeRatio(handle.relative, this->Omega));
+    present.push_back(q.position);
+    wanted.push_back(handle.target);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(handleIds);
+  WriteBindings(bindings, output);
+  for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ targets, unmerged, relative, ratios })
+  {
+    output->GetPointData()->AddArray(array);
+  }
+  for (const auto& [name, value] :
+    { std::pair("SectionLength", curveLength(present)), std::pair("TargetLength", curveLength(wanted)) })
+  {
+    output->GetFieldData()->AddArray(OneValue<vtkDoubleArray>(name, value));
+  }
 }
 
 void vtkOversketchTargets::PrintSelf(ostream& os, vtkIndent indent)

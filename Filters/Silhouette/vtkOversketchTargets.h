@@ -46,15 +46,15 @@
 #define vtkOversketchTargets_h
 
 #include "OversketchFiltersSilhouetteModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchTargets : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSILHOUETTE_EXPORT vtkOversketchTargets : public vtkOversketchFilter
 {
 public:
   static vtkOversketchTargets* New();
-  vtkTypeMacro(vtkOversketchTargets, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchTargets, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -91,7 +91,7 @@ protected:
   vtkOversketchTargets();
   ~vtkOversketchTargets() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchTargets(const vtkOversketchTargets&) = delete;

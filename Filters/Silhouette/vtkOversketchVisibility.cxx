@@ -7,10 +7,8 @@
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
@@ -33,57 +31,43 @@ vtkOversketchVisibility::vtkOversketchVisibility()
 
 vtkOversketchVisibility::~vtkOversketchVisibility() = default;
 
-int vtkOversketchVisibility::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchVisibility::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
+  VisibilityOptions options;
+  options.rejoin = this->Rejoin;
+  options.backend = this->KernelBackend();
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(
+    StepKey(
+      { CurvesKey(curves), SurfaceKey(mesh) }, view, { double(this->Rejoin), double(this->GetBackend()) }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (curves->GetNumberOfPoints() == 0)
+      ++this->TestCount;
+      cache.Data = SharedMesh(mesh);
+      const MeshData& data = *cache.Data;
+      const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
+      const VisibilityResult found =
+        findVisible(read.Curves, data.Surface(), data.Normals(), view, options, ContextOf(this));
+      if (!found.warning.empty())
       {
-        return;
+        Warn(this, found.warning);
       }
-      const View view = ViewOf(vtkPolyData::GetData(inputs[2]));
-      VisibilityOptions options;
-      options.rejoin = this->Rejoin;
-      options.backend = this->KernelBackend();
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey({ CurvesKey(curves), SurfaceKey(mesh) },
-                           view,
-                           { double(this->Rejoin), double(this->GetBackend()) }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->TestCount;
-          cache.Data = SharedMesh(mesh);
-          const MeshData& data = *cache.Data;
-          const CurveSet read = ReadCurves(curves, data.Surface().vertexCount(), "silhouette curves");
-          const VisibilityResult found =
-            findVisible(read.Curves, data.Surface(), data.Normals(), view, options, ContextOf(this));
-          if (!found.warning.empty())
-          {
-            Warn(this, found.warning);
-          }
-          this->UsedBackend(found.used);
-          std::vector<Curve> parts;
-          vtkNew<vtkIntArray> curveIds;
-          curveIds->SetName("CurveId");
-          vtkNew<vtkUnsignedCharArray> visible;
-          visible->SetName("Visible");
-          for (const VisibilitySegment& segment : found.segments)
-          {
-            parts.push_back(segment.curve);
-            curveIds->InsertNextValue(segment.source);
-            visible->InsertNextValue(segment.visible ? 1 : 0);
-          }
-          WriteCurves(parts, view, result);
-          result->GetCellData()->AddArray(curveIds);
-          result->GetCellData()->AddArray(visible);
-        });
+      this->UsedBackend(found.used);
+      std::vector<Curve> parts;
+      for (const VisibilitySegment& segment : found.segments)
+      {
+        parts.push_back(segment.curve);
+      }
+      WriteCurves(parts, view, result);
+      result->GetCellData()->AddArray(
+        ArrayOf<vtkIntArray>("CurveId", found.segments, &VisibilitySegment::source));
+      result->GetCellData()->AddArray(
+        ArrayOf<vtkUnsignedCharArray>("Visible", found.segments, &VisibilitySegment::visible));
     });
 }
 

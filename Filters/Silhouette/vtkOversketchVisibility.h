@@ -83,7 +83,7 @@ protected:
   vtkOversketchVisibility();
   ~vtkOversketchVisibility() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchVisibility(const vtkOversketchVisibility&) = delete;

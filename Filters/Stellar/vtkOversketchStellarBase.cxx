@@ -7,7 +7,6 @@
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -108,100 +107,90 @@ vtkPolyData* vtkOversketchStellarBase::GetSourceOutput()
   return this->GetOutput(1);
 }
 
-int vtkOversketchStellarBase::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarBase::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  RequirePolygonsOnly(input); // the key does not see other cells
+  vtkPolyData* source = vtkPolyData::GetData(outputs, 1);
+  source->Initialize(); // the pipeline passed field data
+  const Context context = ContextOf(this);
+  Cache& cache = *this->Internals;
+  cache.Passed = nullptr;
+  if (HasStellarArrays(input))
+  {
+    try
+    {
+      cache.Passed = SharedForest(input, context);
+    }
+    catch (const Error& error)
+    {
+      if (error.failure() == Failure::Cancelled)
+      {
+        throw;
+      }
+      Warn(this, { "A new base is made, since this is no 4-8 mesh any more: %1", error.message() });
+    }
+  }
+  if (cache.Passed)
+  {
+    output->ShallowCopy(input);
+    return;
+  }
+  std::vector<double> values{ static_cast<double>(this->ImprovePairs), static_cast<double>(this->Mode) };
+  if (this->Mode == Simplified)
+  {
+    RequireFinite(this->MaximumError, "MaximumError");
+    values.insert(
+      values.end(), { static_cast<double>(this->TargetFaces), this->MaximumError, this->SourceTolerance });
+  }
+  cache.Step.Provide(StepKey({ MeshKey(input) }, values),
+    input,
+    output,
     [&]
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
+      ++this->BaseCount;
+      cache.Records = nullptr;
+      cache.Surface = nullptr;
+      PairingOptions options;
+      options.improvePairs = this->ImprovePairs;
+      const Mesh mesh = MeshOf(input);
+      if (this->Mode == Direct)
       {
-        return;
+        BaseMesh base = pairTriangles(mesh, options, context);
+        this->Pairs = base.pairs;
+        this->Unpaired = base.unpaired;
+        StellarStep::Made made;
+        made.origins = [found = OriginsOfBase(base, mesh)] { return found; };
+        made.forest = std::make_shared<const Forest>(std::move(base.forest));
+        return made;
       }
-      RequirePolygonsOnly(input); // the key does not see other cells
-      vtkPolyData* source = vtkPolyData::GetData(outputs, 1);
-      source->Initialize(); // the pipeline passed field data
-      const Context context = ContextOf(this);
-      Cache& cache = *this->Internals;
-      cache.Passed = nullptr;
-      if (HasStellarArrays(input))
-      {
-        try
-        {
-          cache.Passed = SharedForest(input, context);
-        }
-        catch (const Error& error)
-        {
-          if (error.failure() == Failure::Cancelled)
-          {
-            throw;
-          }
-          Warn(this, { "A new base is made, since this is no 4-8 mesh any more: %1", error.message() });
-        }
-      }
-      if (cache.Passed)
-      {
-        output->ShallowCopy(input);
-        return;
-      }
-      std::vector<double> values{ static_cast<double>(this->ImprovePairs), static_cast<double>(this->Mode) };
-      if (this->Mode == Simplified)
-      {
-        RequireFinite(this->MaximumError, "MaximumError");
-        values.insert(values.end(),
-          { static_cast<double>(this->TargetFaces), this->MaximumError, this->SourceTolerance });
-      }
-      cache.Step.Provide(StepKey({ MeshKey(input) }, values),
-        input,
-        output,
-        [&]
-        {
-          ++this->BaseCount;
-          cache.Records = nullptr;
-          cache.Surface = nullptr;
-          PairingOptions options;
-          options.improvePairs = this->ImprovePairs;
-          const Mesh mesh = MeshOf(input);
-          if (this->Mode == Direct)
-          {
-            BaseMesh base = pairTriangles(mesh, options, context);
-            this->Pairs = base.pairs;
-            this->Unpaired = base.unpaired;
-            StellarStep::Made made;
-            made.origins = [found = OriginsOfBase(base, mesh)] { return found; };
-            made.forest = std::make_shared<const Forest>(std::move(base.forest));
-            return made;
-          }
-          ClusterOptions clusters;
-          clusters.targetFaces = this->TargetFaces;
-          clusters.maximumError = this->MaximumError;
-          ClusterResult simplified = simplifyByClusters(mesh, clusters, ContextOf(this, 0.0, 0.7));
-          BaseMesh base = pairTriangles(simplified.mesh, options, ContextOf(this, 0.7, 0.8));
-          this->Pairs = base.pairs;
-          this->Unpaired = base.unpaired;
-          const auto surface = std::make_shared<const OriginalSurface>(OriginalSurface{
-            std::move(simplified.original), sourceRoots(simplified.faceFrom, base, simplified.mesh) });
-          const Source original = sourceOf(surface);
-          putOnSource(base.forest, original);
-          SourceOptions follow;
-          follow.tolerance = LengthOf(this->SourceTolerance, 1e-3, base.forest, "SourceTolerance");
-          StellarStep::Made made;
-          made.forest = std::make_shared<const Forest>(
-            refineToSource(base.forest, original, follow, ContextOf(this, 0.8, 1.0)));
-          made.origins = [found = OriginsOnSurface(*made.forest, *surface, simplified.pointFrom)]
-          { return found; };
-          cache.Records = vtkSmartPointer<vtkPolyData>::New();
-          cache.Surface = WriteSurface(surface, input, cache.Records);
-          return made;
-        });
-      if (cache.Records)
-      {
-        source->ShallowCopy(cache.Records);
-      }
+      ClusterOptions clusters;
+      clusters.targetFaces = this->TargetFaces;
+      clusters.maximumError = this->MaximumError;
+      ClusterResult simplified = simplifyByClusters(mesh, clusters, ContextOf(this, 0.0, 0.7));
+      BaseMesh base = pairTriangles(simplified.mesh, options, ContextOf(this, 0.7, 0.8));
+      this->Pairs = base.pairs;
+      this->Unpaired = base.unpaired;
+      const auto surface = std::make_shared<const OriginalSurface>(OriginalSurface{
+        std::move(simplified.original), sourceRoots(simplified.faceFrom, base, simplified.mesh) });
+      const Source original = sourceOf(surface);
+      putOnSource(base.forest, original);
+      SourceOptions follow;
+      follow.tolerance = LengthOf(this->SourceTolerance, 1e-3, base.forest, "SourceTolerance");
+      StellarStep::Made made;
+      made.forest = std::make_shared<const Forest>(
+        refineToSource(base.forest, original, follow, ContextOf(this, 0.8, 1.0)));
+      made.origins = [found = OriginsOnSurface(*made.forest, *surface, simplified.pointFrom)]
+      { return found; };
+      cache.Records = vtkSmartPointer<vtkPolyData>::New();
+      cache.Surface = WriteSurface(surface, input, cache.Records);
+      return made;
     });
+  if (cache.Records)
+  {
+    source->ShallowCopy(cache.Records);
+  }
 }
 
 void vtkOversketchStellarBase::PrintSelf(ostream& os, vtkIndent indent)

@@ -40,15 +40,15 @@
 #define vtkOversketchStellarBase_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarBase : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarBase : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarBase* New();
-  vtkTypeMacro(vtkOversketchStellarBase, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarBase, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -128,7 +128,7 @@ protected:
   vtkOversketchStellarBase();
   ~vtkOversketchStellarBase() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarBase(const vtkOversketchStellarBase&) = delete;

@@ -3,7 +3,7 @@
 #include "Mesh/nearest.h"
 #include "Mesh/rotation.h"
 #include "Stellar/leaves.h"
-#include "vtkOversketchHierarchy.h"
+#include "vtkOversketchCarriedArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -76,20 +76,15 @@ FeatureCurves CurvesOf(vtkPolyData* curves, double height)
   }
   const vtkIdType cells = curves->GetNumberOfCells();
   const auto ofCells = [&](const char* name)
-  {
-    return curves->GetCellData()->GetAbstractArray(name)
-             ? RequireArray(curves->GetCellData(), name, 1, cells, "curves", "one number a curve")
-             : nullptr;
-  };
+  { return OptionalArray(curves->GetCellData(), name, 1, cells, "curves", "one number a curve"); };
   const auto ofPoints = [&](const char* name, int components)
   {
-    return curves->GetPointData()->GetAbstractArray(name) ? RequireArray(curves->GetPointData(),
-                                                              name,
-                                                              components,
-                                                              curves->GetNumberOfPoints(),
-                                                              "curves",
-                                                              "project the stroke again")
-                                                          : nullptr;
+    return OptionalArray(curves->GetPointData(),
+      name,
+      components,
+      curves->GetNumberOfPoints(),
+      "curves",
+      "project the stroke again");
   };
   vtkDataArray *normals = ofPoints("Normals", 3), *pressure = ofPoints("Pressure", 1),
                *room = ofPoints("Room", 2);

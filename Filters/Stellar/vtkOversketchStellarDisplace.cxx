@@ -4,7 +4,6 @@
 
 #include "Intersection/crossing_faces.h"
 #include "Stellar/displace.h"
-#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkObjectFactory.h"
@@ -84,125 +83,121 @@ void vtkOversketchStellarDisplace::SetProfile(const char* text)
   SetText(this, this->Profile, text);
 }
 
-int vtkOversketchStellarDisplace::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunCurveStep(this,
-    inputs,
-    outputs,
-    [&](const CurveStep& step)
+  const CurveStep step = CurveStepOf(this, inputs, outputs);
+  if (!step.curves)
+  {
+    return;
+  }
+  vtkPolyData* sketch = step.third;
+  Cache& cache = *this->Internals;
+  RequireFinite(this->Height, "Height");
+  const std::vector<double> reach{
+    this->Radius, static_cast<double>(this->Distance), static_cast<double>(this->ConnectedOnly)
+  };
+  std::vector<double> values = reach;
+  for (const double value : { this->Height,
+         this->Sharpness,
+         static_cast<double>(this->UsePressure),
+         static_cast<double>(this->Normals),
+         static_cast<double>(this->Combine),
+         static_cast<double>(this->HoldBack),
+         static_cast<double>(this->KeepBaseNormals) })
+  {
+    values.push_back(value);
+  }
+  AddText(values, this->Profile);
+  const FeatureCurves curves = CurvesOf(step.curves, this->Height);
+  const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
+  std::shared_ptr<const Forest> last; // a result with the same distances
+  if (cache.ReachKey == reachKey)
+  {
+    last = cache.Step.Result();
+  }
+  else // what is of no use would only take memory
+  {
+    cache.Spare = nullptr;
+    cache.Made = nullptr;
+    cache.Reached = nullptr;
+    cache.ReachKey = StepKey();
+  }
+  const vtkIdType done = this->DisplaceCount;
+  this->Internals->Step.Provide(step.mesh,
+    { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
+    values,
+    &curves,
+    StellarStep::Motion::Rise,
+    step.output,
+    step.context,
+    [&](const Forest& before)
     {
-      vtkPolyData* sketch = step.third;
-      Cache& cache = *this->Internals;
-      RequireFinite(this->Height, "Height");
-      const std::vector<double> reach{
-        this->Radius, static_cast<double>(this->Distance), static_cast<double>(this->ConnectedOnly)
-      };
-      std::vector<double> values = reach;
-      for (const double value : { this->Height,
-             this->Sharpness,
-             static_cast<double>(this->UsePressure),
-             static_cast<double>(this->Normals),
-             static_cast<double>(this->Combine),
-             static_cast<double>(this->HoldBack),
-             static_cast<double>(this->KeepBaseNormals) })
+      ++this->DisplaceCount;
+      DisplaceOptions options;
+      options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
+      options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
+      options.sharpness = this->Sharpness;
+      if (!this->Profile.empty())
       {
-        values.push_back(value);
+        options.profile = Profile::polyline(this->Profile);
       }
-      AddText(values, this->Profile);
-      const FeatureCurves curves = CurvesOf(step.curves, this->Height);
-      const StepKey reachKey({ StellarKey(step.mesh), WholeKey(step.curves) }, reach);
-      std::shared_ptr<const Forest> last; // a result with the same distances
-      if (cache.ReachKey == reachKey)
+      options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
+      options.connectedOnly = this->ConnectedOnly;
+      options.usePressure = this->UsePressure;
+      options.holdBack = this->HoldBack;
+      options.keepBaseNormals = this->KeepBaseNormals;
+      options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
+      options.combine = this->Combine == Sum ? oversketch::Combine::Sum : oversketch::Combine::Nearest;
+      std::vector<std::vector<Vector3>> moves;
+      if (sketch)
       {
-        last = cache.Step.Result();
-      }
-      else // what is of no use would only take memory
-      {
-        cache.Spare = nullptr;
-        cache.Made = nullptr;
-        cache.Reached = nullptr;
-        cache.ReachKey = StepKey();
-      }
-      const vtkIdType done = this->DisplaceCount;
-      this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
-        values,
-        &curves,
-        StellarStep::Motion::Rise,
-        step.output,
-        step.context,
-        [&](const Forest& before)
+        for (const FeatureCurve& line : CurvesOf(sketch))
         {
-          ++this->DisplaceCount;
-          DisplaceOptions options;
-          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
-          options.height = this->Height == 0.0 ? 0.5 * options.radius : this->Height;
-          options.sharpness = this->Sharpness;
-          if (!this->Profile.empty())
-          {
-            options.profile = Profile::polyline(this->Profile);
-          }
-          options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
-          options.connectedOnly = this->ConnectedOnly;
-          options.usePressure = this->UsePressure;
-          options.holdBack = this->HoldBack;
-          options.keepBaseNormals = this->KeepBaseNormals;
-          options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
-          options.combine = this->Combine == Sum ? oversketch::Combine::Sum : oversketch::Combine::Nearest;
-          std::vector<std::vector<Vector3>> moves;
-          if (sketch)
-          {
-            for (const FeatureCurve& line : CurvesOf(sketch))
-            {
-              moves.push_back(line.points);
-            }
-            options.sketch = &moves;
-          }
-          if (!cache.Reached)
-          {
-            cache.Reached =
-              std::make_shared<const CurvesReached>(reachedBy(before, curves, options, step.context));
-            cache.ReachKey = reachKey;
-            ++this->DistanceCount;
-          }
-          Forest forest = TakeForest(cache.Spare);
-          const DisplaceReport report =
-            displace(before, curves, *cache.Reached, options, step.context, forest);
-          cache.Spare = last;
-          cache.Made = std::make_shared<const Raised>(Raised{ SharedForest(step.mesh, step.context),
-            cache.Reached,
-            WholeKey(step.curves),
-            options.radius,
-            options.distance,
-            options.connectedOnly });
-          this->Moved = report.moved;
-          this->FlippedFaces = report.flipped;
-          this->Peak = report.peak;
-          this->HeldBack = report.heldBack;
-          this->LeastShare = report.leastShare;
-          this->CrestPlaces = report.crests;
-          this->CrestMean = report.crests ? report.crestSum / report.crests : std::nan("");
-          this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
-          return forest;
-        });
-      if (this->DisplaceCount != done)
-      {
-        AddRaised(step.output, cache.Made);
+          moves.push_back(line.points);
+        }
+        options.sketch = &moves;
       }
-      const MeshKey counted(step.output);
-      if (!this->CountIntersections)
+      if (!cache.Reached)
       {
-        this->IntersectingFaces = -1;
+        cache.Reached =
+          std::make_shared<const CurvesReached>(reachedBy(before, curves, options, step.context));
+        cache.ReachKey = reachKey;
+        ++this->DistanceCount;
       }
-      else if (this->IntersectingFaces < 0 || cache.Counted != counted)
-      {
-        this->IntersectingFaces = -1;
-        this->IntersectingFaces = CountCuts(step.mesh, step.output, step.context);
-        cache.Counted = counted;
-      }
+      Forest forest = TakeForest(cache.Spare);
+      const DisplaceReport report = displace(before, curves, *cache.Reached, options, step.context, forest);
+      cache.Spare = last;
+      cache.Made = std::make_shared<const Raised>(Raised{ SharedForest(step.mesh, step.context),
+        cache.Reached,
+        WholeKey(step.curves),
+        options.radius,
+        options.distance,
+        options.connectedOnly });
+      this->Moved = report.moved;
+      this->FlippedFaces = report.flipped;
+      this->Peak = report.peak;
+      this->HeldBack = report.heldBack;
+      this->LeastShare = report.leastShare;
+      this->CrestPlaces = report.crests;
+      this->CrestMean = report.crests ? report.crestSum / report.crests : std::nan("");
+      this->CrestMinimum = report.crests ? report.crestMinimum : std::nan("");
+      return forest;
     });
+  if (this->DisplaceCount != done)
+  {
+    AddRaised(step.output, cache.Made);
+  }
+  const MeshKey counted(step.output);
+  if (!this->CountIntersections)
+  {
+    this->IntersectingFaces = -1;
+  }
+  else if (this->IntersectingFaces < 0 || cache.Counted != counted)
+  {
+    this->IntersectingFaces = -1;
+    this->IntersectingFaces = CountCuts(step.mesh, step.output, step.context);
+    cache.Counted = counted;
+  }
 }
 
 void vtkOversketchStellarDisplace::PrintSelf(ostream& os, vtkIndent indent)

@@ -32,17 +32,17 @@
 #define vtkOversketchStellarDisplace_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <limits>
 #include <memory>
 #include <string>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarDisplace : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarDisplace : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarDisplace* New();
-  vtkTypeMacro(vtkOversketchStellarDisplace, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarDisplace, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -215,7 +215,7 @@ protected:
   vtkOversketchStellarDisplace();
   ~vtkOversketchStellarDisplace() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarDisplace(const vtkOversketchStellarDisplace&) = delete;

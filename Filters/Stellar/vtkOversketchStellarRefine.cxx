@@ -58,53 +58,50 @@ vtkOversketchStellarRefine::vtkOversketchStellarRefine()
 
 vtkOversketchStellarRefine::~vtkOversketchStellarRefine() = default;
 
-int vtkOversketchStellarRefine::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunCurveStep(this,
-    inputs,
-    outputs,
-    [&](const CurveStep& step)
+  const CurveStep step = CurveStepOf(this, inputs, outputs);
+  if (!step.curves)
+  {
+    return;
+  }
+  const std::vector<double> values{ this->Radius,
+    this->Sharpness,
+    this->TargetEdgeLength,
+    static_cast<double>(this->FineFoot),
+    static_cast<double>(this->Distance),
+    static_cast<double>(this->ConnectedOnly),
+    static_cast<double>(this->SeedCurveFaces),
+    static_cast<double>(this->MaximumGeneration),
+    static_cast<double>(this->MaximumFaces) };
+  const FeatureCurves curves = CurvesOf(step.curves);
+  this->Internals->Step.Provide(step.mesh,
+    { WholeKey(step.curves), SourceKey(step) },
+    values,
+    &curves,
+    StellarStep::Motion::None,
+    step.output,
+    step.context,
+    [&](const Forest& before)
     {
-      const std::vector<double> values{ this->Radius,
-        this->Sharpness,
-        this->TargetEdgeLength,
-        static_cast<double>(this->FineFoot),
-        static_cast<double>(this->Distance),
-        static_cast<double>(this->ConnectedOnly),
-        static_cast<double>(this->SeedCurveFaces),
-        static_cast<double>(this->MaximumGeneration),
-        static_cast<double>(this->MaximumFaces) };
-      const FeatureCurves curves = CurvesOf(step.curves);
-      this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), SourceKey(step) },
-        values,
-        &curves,
-        StellarStep::Motion::None,
-        step.output,
-        step.context,
-        [&](const Forest& before)
-        {
-          ++this->RefineCount;
-          RefineOptions options;
-          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
-          options.sharpness = this->Sharpness;
-          options.targetEdgeLength = this->TargetEdgeLength;
-          options.fineFoot = this->FineFoot;
-          options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
-          options.connectedOnly = this->ConnectedOnly;
-          options.seedCurveFaces = this->SeedCurveFaces;
-          options.maximumGeneration = this->MaximumGeneration;
-          options.maximumFaces = this->MaximumFaces;
-          Forest forest = before.roomyCopy();
-          this->Internals->GiveNormals(step.mesh, forest, step.context);
-          RefineReport report;
-          const Source source = SourceOf(step, before, this->Internals->Surface);
-          forest = refine(std::move(forest), curves, options, source, step.context, &report);
-          this->Sweeps = report.sweeps;
-          return forest;
-        });
+      ++this->RefineCount;
+      RefineOptions options;
+      options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
+      options.sharpness = this->Sharpness;
+      options.targetEdgeLength = this->TargetEdgeLength;
+      options.fineFoot = this->FineFoot;
+      options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
+      options.connectedOnly = this->ConnectedOnly;
+      options.seedCurveFaces = this->SeedCurveFaces;
+      options.maximumGeneration = this->MaximumGeneration;
+      options.maximumFaces = this->MaximumFaces;
+      Forest forest = before.roomyCopy();
+      this->Internals->GiveNormals(step.mesh, forest, step.context);
+      RefineReport report;
+      const Source source = SourceOf(step, before, this->Internals->Surface);
+      forest = refine(std::move(forest), curves, options, source, step.context, &report);
+      this->Sweeps = report.sweeps;
+      return forest;
     });
 }
 

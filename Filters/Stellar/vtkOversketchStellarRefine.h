@@ -32,15 +32,15 @@
 #define vtkOversketchStellarRefine_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarRefine : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarRefine : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarRefine* New();
-  vtkTypeMacro(vtkOversketchStellarRefine, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarRefine, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -162,7 +162,7 @@ protected:
   vtkOversketchStellarRefine();
   ~vtkOversketchStellarRefine() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarRefine(const vtkOversketchStellarRefine&) = delete;

@@ -3,7 +3,6 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Stellar/simplify.h"
-#include "vtkOversketchStellarRaised.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformationVector.h"
@@ -14,9 +13,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchStellarSimplify::Cache
+struct vtkOversketchStellarSimplify::Cache : StellarStep
 {
-  StellarStep Step;
 };
 
 vtkStandardNewMacro(vtkOversketchStellarSimplify);
@@ -32,54 +30,44 @@ vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
 
 vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
 {
-  const std::vector<int>& from = this->Internals->Step.PointFrom();
+  const std::vector<int>& from = this->Internals->PointFrom();
   return point >= 0 && point < static_cast<vtkIdType>(from.size()) ? from[static_cast<std::size_t>(point)]
                                                                    : -1;
 }
 
-int vtkOversketchStellarSimplify::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
+  const bool drawn = curvesIn && curvesIn->GetNumberOfPoints() > 0;
+  const Context context = ContextOf(this);
+  this->Internals->Provide(mesh,
+    { drawn ? WholeKey(curvesIn) : MeshKey() },
+    { this->Tolerance,
+      this->Radius,
+      static_cast<double>(this->Distance),
+      static_cast<double>(this->ConnectedOnly) },
+    nullptr,
+    StellarStep::Motion::None,
+    vtkPolyData::GetData(outputs),
+    context,
+    [&](const Forest& before) -> std::optional<Forest>
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-      if (mesh->GetNumberOfPoints() == 0)
+      ++this->SimplifyCount;
+      SimplifyOptions options;
+      options.tolerance = LengthOf(this->Tolerance, 1e-4, before, "Tolerance");
+      options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
+      options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
+      options.connectedOnly = this->ConnectedOnly;
+      const FeatureCurves curves = drawn ? CurvesOf(curvesIn) : FeatureCurves();
+      const std::shared_ptr<const Raised> raised = RaisedOf(mesh);
+      if (drawn && raised && raised->curves == WholeKey(curvesIn) && raised->radius == options.radius &&
+          raised->distance == options.distance && raised->connectedOnly == options.connectedOnly)
       {
-        return;
+        const DisplacedFrom from{ *raised->before, *raised->reached };
+        return simplify(before, curves, options, context, &this->Welded, &from);
       }
-      const bool drawn = curvesIn && curvesIn->GetNumberOfPoints() > 0;
-      const Context context = ContextOf(this);
-      this->Internals->Step.Provide(mesh,
-        { drawn ? WholeKey(curvesIn) : MeshKey() },
-        { this->Tolerance,
-          this->Radius,
-          static_cast<double>(this->Distance),
-          static_cast<double>(this->ConnectedOnly) },
-        nullptr,
-        StellarStep::Motion::None,
-        vtkPolyData::GetData(outputs),
-        context,
-        [&](const Forest& before) -> std::optional<Forest>
-        {
-          ++this->SimplifyCount;
-          SimplifyOptions options;
-          options.tolerance = LengthOf(this->Tolerance, 1e-4, before, "Tolerance");
-          options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
-          options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
-          options.connectedOnly = this->ConnectedOnly;
-          const FeatureCurves curves = drawn ? CurvesOf(curvesIn) : FeatureCurves();
-          const std::shared_ptr<const Raised> raised = RaisedOf(mesh);
-          if (drawn && raised && raised->curves == WholeKey(curvesIn) && raised->radius == options.radius &&
-              raised->distance == options.distance && raised->connectedOnly == options.connectedOnly)
-          {
-            const DisplacedFrom from{ *raised->before, *raised->reached };
-            return simplify(before, curves, options, context, &this->Welded, &from);
-          }
-          return simplify(before, curves, options, context, &this->Welded);
-        });
+      return simplify(before, curves, options, context, &this->Welded);
     });
 }
 

@@ -26,15 +26,15 @@
 #define vtkOversketchStellarSimplify_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSimplify : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSimplify : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarSimplify* New();
-  vtkTypeMacro(vtkOversketchStellarSimplify, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarSimplify, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -110,7 +110,7 @@ protected:
   vtkOversketchStellarSimplify();
   ~vtkOversketchStellarSimplify() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarSimplify(const vtkOversketchStellarSimplify&) = delete;

@@ -4,7 +4,6 @@
 
 #include "Stellar/refine.h"
 #include "Stellar/smooth.h"
-#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -29,40 +28,36 @@ vtkOversketchStellarSmooth::vtkOversketchStellarSmooth()
 
 vtkOversketchStellarSmooth::~vtkOversketchStellarSmooth() = default;
 
-int vtkOversketchStellarSmooth::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunCurveStep(this,
-    inputs,
-    outputs,
-    [&](const CurveStep& step)
+  const CurveStep step = CurveStepOf(this, inputs, outputs);
+  if (!step.curves)
+  {
+    return;
+  }
+  const std::vector<double> values{ static_cast<double>(this->Rings), static_cast<double>(this->Iterations) };
+  const FeatureCurves curves = CurvesOf(step.curves);
+  this->Internals->Step.Provide(step.mesh,
+    { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
+    values,
+    &curves,
+    StellarStep::Motion::Slide,
+    step.output,
+    step.context,
+    [&](const Forest& before)
     {
-      const std::vector<double> values{ static_cast<double>(this->Rings),
-        static_cast<double>(this->Iterations) };
-      const FeatureCurves curves = CurvesOf(step.curves);
-      this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
-        values,
-        &curves,
-        StellarStep::Motion::Slide,
-        step.output,
-        step.context,
-        [&](const Forest& before)
-        {
-          ++this->SmoothCount;
-          SmoothOptions options;
-          options.rings = this->Rings;
-          options.iterations = this->Iterations;
-          options.parts = PartsOf(step.mesh, before);
-          const MidpointRule rule =
-            midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
-          Forest forest = before;
-          const SmoothReport report = smooth(forest, options, rule, step.context);
-          this->Moved = report.moved;
-          this->Refused = report.refused;
-          return forest;
-        });
+      ++this->SmoothCount;
+      SmoothOptions options;
+      options.rings = this->Rings;
+      options.iterations = this->Iterations;
+      options.parts = PartsOf(step.mesh, before);
+      const MidpointRule rule =
+        midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
+      Forest forest = before;
+      const SmoothReport report = smooth(forest, options, rule, step.context);
+      this->Moved = report.moved;
+      this->Refused = report.refused;
+      return forest;
     });
 }
 

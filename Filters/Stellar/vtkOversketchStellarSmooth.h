@@ -32,15 +32,15 @@
 #define vtkOversketchStellarSmooth_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSmooth : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSmooth : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarSmooth* New();
-  vtkTypeMacro(vtkOversketchStellarSmooth, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarSmooth, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -90,7 +90,7 @@ protected:
   vtkOversketchStellarSmooth();
   ~vtkOversketchStellarSmooth() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarSmooth(const vtkOversketchStellarSmooth&) = delete;

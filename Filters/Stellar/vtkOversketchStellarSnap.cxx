@@ -6,7 +6,6 @@
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
 #include "Stellar/snap_foot.h"
-#include "vtkOversketchStellarParts.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -31,62 +30,58 @@ vtkOversketchStellarSnap::vtkOversketchStellarSnap()
 
 vtkOversketchStellarSnap::~vtkOversketchStellarSnap() = default;
 
-int vtkOversketchStellarSnap::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunCurveStep(this,
-    inputs,
-    outputs,
-    [&](const CurveStep& step)
+  const CurveStep step = CurveStepOf(this, inputs, outputs);
+  if (!step.curves)
+  {
+    return;
+  }
+  std::vector<double> values{ static_cast<double>(this->Order),
+    static_cast<double>(this->MaximumResidualRounds) };
+  if (this->SnapFoot)
+  {
+    values.insert(values.end(), { this->Radius, this->Sharpness, static_cast<double>(this->ConnectedOnly) });
+  }
+  const FeatureCurves curves = CurvesOf(step.curves);
+  this->Internals->Step.Provide(step.mesh,
+    { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
+    values,
+    &curves,
+    StellarStep::Motion::Slide,
+    step.output,
+    step.context,
+    [&](const Forest& before)
     {
-      std::vector<double> values{ static_cast<double>(this->Order),
-        static_cast<double>(this->MaximumResidualRounds) };
+      ++this->SnapCount;
+      SnapOptions options;
+      options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
+      options.maximumResidualRounds = this->MaximumResidualRounds;
+      options.parts = PartsOf(step.mesh, before);
+      const MidpointRule rule =
+        midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
+      Forest forest = before.roomyCopy();
+      const SnapReport report = snap(forest, curves, options, rule, step.context);
+      this->Crossings = report.crossings;
+      this->Residual = report.residual;
+      this->Snapped = report.snapped;
+      this->Refused = report.refused;
+      this->FacesAdded = report.facesAdded;
+      this->FootMoved = 0;
       if (this->SnapFoot)
       {
-        values.insert(
-          values.end(), { this->Radius, this->Sharpness, static_cast<double>(this->ConnectedOnly) });
+        FootOptions foot;
+        foot.radius = LengthOf(this->Radius, 0.03, before, "Radius");
+        foot.sharpness = this->Sharpness;
+        foot.connectedOnly = this->ConnectedOnly;
+        foot.parts = options.parts;
+        this->FootMoved = snapFoot(forest, curves, foot, step.context).moved;
       }
-      const FeatureCurves curves = CurvesOf(step.curves);
-      this->Internals->Step.Provide(step.mesh,
-        { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
-        values,
-        &curves,
-        StellarStep::Motion::Slide,
-        step.output,
-        step.context,
-        [&](const Forest& before)
-        {
-          ++this->SnapCount;
-          SnapOptions options;
-          options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
-          options.maximumResidualRounds = this->MaximumResidualRounds;
-          options.parts = PartsOf(step.mesh, before);
-          const MidpointRule rule =
-            midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
-          Forest forest = before.roomyCopy();
-          const SnapReport report = snap(forest, curves, options, rule, step.context);
-          this->Crossings = report.crossings;
-          this->Residual = report.residual;
-          this->Snapped = report.snapped;
-          this->Refused = report.refused;
-          this->FacesAdded = report.facesAdded;
-          this->FootMoved = 0;
-          if (this->SnapFoot)
-          {
-            FootOptions foot;
-            foot.radius = LengthOf(this->Radius, 0.03, before, "Radius");
-            foot.sharpness = this->Sharpness;
-            foot.connectedOnly = this->ConnectedOnly;
-            foot.parts = options.parts;
-            this->FootMoved = snapFoot(forest, curves, foot, step.context).moved;
-          }
-          if (report.split)
-          {
-            forest = canonical(forest, step.context).forest;
-          }
-          return forest;
-        });
+      if (report.split)
+      {
+        forest = canonical(forest, step.context).forest;
+      }
+      return forest;
     });
 }
 

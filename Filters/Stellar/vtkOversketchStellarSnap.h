@@ -37,15 +37,15 @@
 #define vtkOversketchStellarSnap_h
 
 #include "OversketchFiltersStellarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSnap : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSnap : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStellarSnap* New();
-  vtkTypeMacro(vtkOversketchStellarSnap, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStellarSnap, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -154,7 +154,7 @@ protected:
   vtkOversketchStellarSnap();
   ~vtkOversketchStellarSnap() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStellarSnap(const vtkOversketchStellarSnap&) = delete;

@@ -2,7 +2,7 @@
 
 #include "Stellar/refine.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchStellarRegister.h"
+#include "vtkOversketchRegister.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkDataArray.h"
@@ -10,7 +10,6 @@
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -73,12 +72,7 @@ HeightImage HeightsOf(vtkImageData* image)
 
 void WriteTerrain(const HeightImage& image, const TerrainRules& rules, vtkPolyData* source)
 {
-  auto gray = vtkSmartPointer<vtkDoubleArray>::New();
-  gray->SetName(grayName);
-  gray->SetNumberOfValues(static_cast<vtkIdType>(image.samples.size()));
-  std::copy(image.samples.begin(), image.samples.end(), gray->GetPointer(0));
-  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
-  numbers->SetName(rulesName);
+  const auto numbers = NewArray<vtkDoubleArray>(rulesName);
   for (const double value : { static_cast<double>(image.width),
          static_cast<double>(image.height),
          image.spacing[0],
@@ -93,7 +87,7 @@ void WriteTerrain(const HeightImage& image, const TerrainRules& rules, vtkPolyDa
     numbers->InsertNextValue(value);
   }
   source->SetPoints(vtkSmartPointer<vtkPoints>::New()); // readers of files complain where there are none
-  source->GetFieldData()->AddArray(gray);
+  source->GetFieldData()->AddArray(ArrayOf<vtkDoubleArray>(grayName, image.samples));
   source->GetFieldData()->AddArray(numbers);
 }
 
@@ -207,10 +201,7 @@ vtkDataArray* RecordArray(vtkPolyData* source, const char* name, int components)
 template <class Tuple>
 vtkSmartPointer<vtkIntArray> Integers(const char* name, int components, const std::vector<Tuple>& tuples)
 {
-  auto array = vtkSmartPointer<vtkIntArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples.size()));
+  auto array = NewArray<vtkIntArray>(name, components, tuples.size());
   static_assert(sizeof(Tuple) % sizeof(int) == 0, "tuples of int");
   if (!tuples.empty())
   {
@@ -314,20 +305,14 @@ std::shared_ptr<const Source> WriteSurface(const std::shared_ptr<const OriginalS
   data->AddArray(Integers(recordNames[1], 3, counts));
   data->AddArray(Integers(recordNames[4], 1, records.oldFaces));
   data->AddArray(Integers(recordNames[2], 1, records.flatVertex));
-  vtkNew<vtkDoubleArray> flat;
-  flat->SetName(recordNames[3]);
-  flat->SetNumberOfComponents(2);
-  flat->SetNumberOfTuples(static_cast<vtkIdType>(records.flat.size()));
+  const auto flat = NewArray<vtkDoubleArray>(recordNames[3], 2, records.flat.size());
   for (std::size_t i = 0; i < records.flat.size(); ++i)
   {
     flat->SetTuple(static_cast<vtkIdType>(i), records.flat[i].data());
   }
   data->AddArray(flat);
   data->AddArray(Integers(recordNames[5], 4, surface->roots));
-  vtkNew<vtkTypeUInt64Array> digest;
-  digest->SetName(recordNames[6]);
-  digest->InsertNextValue(DigestOf(*surface));
-  data->AddArray(digest);
+  data->AddArray(OneValue<vtkTypeUInt64Array>(recordNames[6], DigestOf(*surface)));
   source->SetPoints(mesh->GetPoints());
   source->SetPolys(mesh->GetPolys());
   auto shared = std::make_shared<const Source>(sourceOf(surface));

@@ -9,32 +9,20 @@
 namespace oversketch
 {
 
-int RunCurveStep(vtkAlgorithm* filter,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs,
-  const std::function<void(const CurveStep& step)>& run)
+CurveStep CurveStepOf(vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(filter,
-    [&]
-    {
-      const Context context = ContextOf(filter);
-      const CurveStep step{ vtkPolyData::GetData(inputs[0]),
-        vtkPolyData::GetData(inputs[1]),
-        vtkPolyData::GetData(outputs),
-        filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
-        context };
-      if (step.mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      if (step.curves->GetNumberOfPoints() == 0)
-      {
-        SharedForest(step.mesh, context); // refuses what is none
-        step.output->ShallowCopy(step.mesh);
-        return;
-      }
-      run(step);
-    });
+  CurveStep step{ vtkPolyData::GetData(inputs[0]),
+    vtkPolyData::GetData(inputs[1]),
+    vtkPolyData::GetData(outputs),
+    filter->GetNumberOfInputPorts() > 2 ? vtkPolyData::GetData(inputs[2]) : nullptr,
+    ContextOf(filter) };
+  if (step.curves->GetNumberOfPoints() == 0)
+  {
+    SharedForest(step.mesh, step.context); // refuses what is none
+    step.output->ShallowCopy(step.mesh);
+    step.curves = nullptr;
+  }
+  return step;
 }
 
 void StellarStep::Provide(const StepKey& key,

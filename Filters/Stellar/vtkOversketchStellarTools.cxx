@@ -1,8 +1,8 @@
 #include "vtkOversketchStellarTools.h"
 
 #include "Stellar/leaves.h"
-#include "vtkOversketchHierarchy.h"
-#include "vtkOversketchStellarRegister.h"
+#include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchRegister.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -163,25 +163,6 @@ Register<Forest>& TheRegister()
 {
   static Register<Forest> instance;
   return instance;
-}
-
-// An array whose values are for the caller to fill.
-template <class Array>
-vtkSmartPointer<Array> NewArray(const char* name, int components, std::size_t tuples)
-{
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
-  return array;
-}
-
-template <class Array, class Value>
-vtkSmartPointer<Array> OneValue(const char* name, Value value)
-{
-  auto array = NewArray<Array>(name, 1, 1);
-  array->SetValue(0, value);
-  return array;
 }
 
 // Calls fill(i) for all numbers below the count, in threads.
@@ -473,6 +454,51 @@ double LengthOf(double value, double share, const Forest& forest, const char* na
 {
   RequireFinite(value, name);
   return value < 0.0 ? share * forest.diagonal() : value;
+}
+
+std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest)
+{
+  vtkCellData* cells = mesh->GetCellData();
+  if (!cells->GetArray("Chart"))
+  {
+    return {};
+  }
+  const std::vector<int> charts = WholeNumbers(
+    RequireArray(cells, "Chart", 1, mesh->GetNumberOfCells(), "mesh", "one chart number per triangle"));
+  const std::vector<int> roots = WholeNumbers(
+    RequireArray(cells, "StellarRoot", 1, mesh->GetNumberOfCells(), "mesh", "the steps carry it"));
+  std::vector<int> parts(static_cast<std::size_t>(forest.rootCount), 0);
+  for (std::size_t f = charts.size(); f-- > 0;)
+  {
+    parts[roots[f]] = charts[f];
+  }
+  return parts;
+}
+
+MeshKey PartsKey(vtkPolyData* mesh)
+{
+  return MeshKey(mesh, { mesh->GetCellData()->GetArray("Chart") });
+}
+
+namespace
+{
+
+Register<Raised>& TheRaised()
+{
+  static Register<Raised> instance;
+  return instance;
+}
+
+} // namespace
+
+void AddRaised(vtkPolyData* mesh, const std::shared_ptr<const Raised>& raised)
+{
+  TheRaised().Add(StellarKey(mesh), raised);
+}
+
+std::shared_ptr<const Raised> RaisedOf(vtkPolyData* mesh)
+{
+  return TheRaised().Find(StellarKey(mesh));
 }
 
 } // namespace oversketch

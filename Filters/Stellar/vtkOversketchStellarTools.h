@@ -2,6 +2,7 @@
 #ifndef vtkOversketchStellarTools_h
 #define vtkOversketchStellarTools_h
 
+#include "Stellar/displace.h"
 #include "Stellar/forest.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
@@ -56,18 +57,16 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
 
-// Runs a step with a 4-8 mesh on port 0 and curves on port 1, as RunFilter does. Without points its output is
-// empty; without curves the mesh goes through, and is refused all the same where it is none.
+// A step with a 4-8 mesh on port 0 and curves on port 1.
 struct CurveStep
 {
   vtkPolyData *mesh, *curves, *output;
   vtkPolyData* third; // of port 2; null: none
-  const Context& context;
+  Context context;
 };
-int RunCurveStep(vtkAlgorithm* filter,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs,
-  const std::function<void(const CurveStep& step)>& run);
+// Of a filter; without curves, which are then null, the mesh has gone through, and is refused all the same
+// where it is none.
+CurveStep CurveStepOf(vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 // Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
 void RequireSameCurves(vtkPolyData* mesh, const Forest& forest, const FeatureCurves& curves);
@@ -134,6 +133,30 @@ private:
   StellarCarry Arrays;
   bool Turns = false; // to be found where there are normals
 };
+
+// The chart of each root by cell array Chart, one whole number per triangle (see vtkOversketchRemesh); empty
+// where the mesh has none. A root that lies in several, as over a simplified base, has that of its first
+// cell. Throws Error(BadMesh) naming a number that is none.
+std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest);
+
+// What PartsOf reads of a mesh beside its 4-8 arrays.
+MeshKey PartsKey(vtkPolyData* mesh);
+
+// What a displacement knew of its mesh, for the simplification that follows it.
+struct Raised
+{
+  std::shared_ptr<const Forest> before;
+  std::shared_ptr<const CurvesReached> reached;
+  MeshKey curves; // WholeKey of them
+  double radius;
+  CurveDistance distance;
+  bool connectedOnly;
+};
+
+// Keeps it, as long as somebody holds it, with the mesh that it was raised to; callable from any thread.
+void AddRaised(vtkPolyData* mesh, const std::shared_ptr<const Raised>& raised);
+// Null where it is not known.
+std::shared_ptr<const Raised> RaisedOf(vtkPolyData* mesh);
 
 } // namespace oversketch
 #endif

@@ -127,9 +127,7 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
           const double* const origin = image->GetOrigin();
           if (origin[0] != 0.0 || origin[1] != 0.0)
           {
-            vtkNew<vtkDoubleArray> place;
-            place->SetName("MapOrigin");
-            place->SetNumberOfComponents(3);
+            const auto place = NewArray<vtkDoubleArray>("MapOrigin", 3);
             place->InsertNextTuple3(origin[0], origin[1], 0.0);
             cache.Source->GetFieldData()->AddArray(place);
           }

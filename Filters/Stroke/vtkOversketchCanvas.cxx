@@ -16,9 +16,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCanvas::Cache
+struct vtkOversketchCanvas::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchCanvas);
@@ -82,43 +81,33 @@ vtkOversketchCanvas::vtkOversketchCanvas()
 
 vtkOversketchCanvas::~vtkOversketchCanvas() = default;
 
-int vtkOversketchCanvas::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchCanvas::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
+  const Canvas canvas = canvasOf(strokes, vtkImageData::GetData(inputs[1]));
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Internals->Provide(
+    StepKey({ CurvesKey(strokes, { "ViewTransform", "ProjectionTransform", "ViewportSize", "Closed" }) },
+      { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      if (strokes->GetNumberOfPoints() == 0)
+      ++this->ProjectionCount;
+      const Context context = ContextOf(this);
+      std::vector<CanvasStroke> curves;
+      std::vector<std::vector<Blend>> places;
+      for (int i = 0; i < static_cast<int>(lines.size()); ++i)
       {
-        return;
+        StrokeOnCanvas stroke = OntoCanvas(strokes, lines, i, canvas, "Stroke");
+        curves.push_back(std::move(stroke.Curve));
+        places.push_back(std::move(stroke.Places));
+        context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
       }
-      const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
-      const Canvas canvas = canvasOf(strokes, vtkImageData::GetData(inputs[1]));
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      this->Internals->Kept.Provide(
-        StepKey({ CurvesKey(strokes, { "ViewTransform", "ProjectionTransform", "ViewportSize", "Closed" }) },
-          { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
-        output,
-        [&](vtkPolyData* result)
-        {
-          ++this->ProjectionCount;
-          const Context context = ContextOf(this);
-          std::vector<CanvasStroke> curves;
-          std::vector<std::vector<Blend>> places;
-          for (int i = 0; i < static_cast<int>(lines.size()); ++i)
-          {
-            StrokeOnCanvas stroke = OntoCanvas(strokes, lines, i, canvas, "Stroke");
-            curves.push_back(std::move(stroke.Curve));
-            places.push_back(std::move(stroke.Places));
-            context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
-          }
-          WriteCurves(curves, canvas, result);
-          CarryPointArrays(strokes, lines, places, result);
-        });
-      PassDrawingArrays(strokes, output);
+      WriteCurves(curves, canvas, result);
+      CarryPointArrays(strokes, lines, places, result);
     });
+  PassDrawingArrays(strokes, output);
 }
 
 void vtkOversketchCanvas::PrintSelf(ostream& os, vtkIndent indent)

@@ -45,15 +45,15 @@
 #define vtkOversketchCanvas_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchCanvas : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchCanvas : public vtkOversketchFilter
 {
 public:
   static vtkOversketchCanvas* New();
-  vtkTypeMacro(vtkOversketchCanvas, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchCanvas, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -71,7 +71,7 @@ protected:
   vtkOversketchCanvas();
   ~vtkOversketchCanvas() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchCanvas(const vtkOversketchCanvas&) = delete;

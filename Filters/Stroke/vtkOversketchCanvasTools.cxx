@@ -1,4 +1,5 @@
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchPolylines.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
@@ -133,9 +134,7 @@ Canvas CanvasOf(vtkPolyData* curves)
 
 void WriteCanvas(const Canvas& canvas, vtkPolyData* curves)
 {
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("Canvas");
-  array->SetNumberOfComponents(4);
+  const auto array = NewArray<vtkDoubleArray>("Canvas", 4);
   const double values[4] = { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] };
   array->InsertNextTuple(values);
   curves->GetFieldData()->AddArray(array);
@@ -175,36 +174,20 @@ bool HasLength(const Polyline& points)
 
 void WriteCurves(const std::vector<CanvasStroke>& curves, const Canvas& canvas, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  vtkNew<vtkDoubleArray> arcs;
-  arcs->SetName("ArcLength");
-  vtkNew<vtkIntArray> ids, closed;
-  ids->SetName("StrokeId");
-  closed->SetName("Closed");
+  Polylines lines;
+  std::vector<double> arcs;
+  std::vector<int> ids;
   for (const CanvasStroke& curve : curves)
   {
+    lines.Add(curve.points, curve.closed);
     const std::vector<double> lengths = arcLengths(curve.points);
-    lines->InsertNextCell(static_cast<int>(curve.points.size()) + curve.closed);
-    const vtkIdType first = points->GetNumberOfPoints();
-    for (std::size_t i = 0; i < curve.points.size(); ++i)
-    {
-      lines->InsertCellPoint(points->InsertNextPoint(curve.points[i][0], curve.points[i][1], 0.0));
-      arcs->InsertNextValue(lengths[i]);
-    }
-    if (curve.closed)
-    {
-      lines->InsertCellPoint(first);
-    }
-    ids->InsertNextValue(static_cast<int>(ids->GetNumberOfTuples()));
-    closed->InsertNextValue(curve.closed);
+    arcs.insert(arcs.end(), lengths.begin(), lengths.end());
+    ids.push_back(static_cast<int>(ids.size()));
   }
-  output->SetPoints(points);
-  output->SetLines(lines);
-  output->GetPointData()->AddArray(arcs);
-  output->GetCellData()->AddArray(ids);
-  output->GetCellData()->AddArray(closed);
+  lines.Put(output);
+  output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("ArcLength", arcs));
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("StrokeId", ids));
+  output->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Closed", curves, &CanvasStroke::closed));
   WriteCanvas(canvas, output);
 }
 

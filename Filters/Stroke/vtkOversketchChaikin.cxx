@@ -4,7 +4,6 @@
 #include "Stroke/stroke.h"
 #include "vtkOversketchStrokeTools.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,40 +38,30 @@ std::vector<Blend> ringPlaces(const DrawnLine& stroke, double closingDistance, c
 
 vtkStandardNewMacro(vtkOversketchChaikin);
 
-int vtkOversketchChaikin::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchChaikin::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  const Context context = ContextOf(this);
+  vtkNew<vtkPolyData> now;
+  now->ShallowCopy(input);
+  for (int pass = 0; pass <= this->Iterations; ++pass)
+  {
+    const std::vector<DrawnLine> strokes = ReadStrokes(now);
+    std::vector<std::vector<Blend>> places;
+    std::vector<char> closed(strokes.size());
+    for (std::size_t i = 0; i < strokes.size(); ++i)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Context context = ContextOf(this);
-      vtkNew<vtkPolyData> now;
-      now->ShallowCopy(input);
-      for (int pass = 0; pass <= this->Iterations; ++pass)
-      {
-        const std::vector<DrawnLine> strokes = ReadStrokes(now);
-        std::vector<std::vector<Blend>> places;
-        std::vector<char> closed(strokes.size());
-        for (std::size_t i = 0; i < strokes.size(); ++i)
-        {
-          closed[i] = strokes[i].Closed;
-          places.push_back(pass == 0
-                             ? ringPlaces(strokes[i], closingDistance, closed[i])
-                             : chaikinPass(static_cast<int>(strokes[i].Samples.size()), strokes[i].Closed));
-        }
-        vtkNew<vtkPolyData> next;
-        WriteStrokes(now, strokes, places, closed, next);
-        now->ShallowCopy(next);
-        context.checkpoint((pass + 1.0) / (this->Iterations + 1.0));
-      }
-      vtkPolyData::GetData(outputs)->ShallowCopy(now);
-    });
+      closed[i] = strokes[i].Closed;
+      places.push_back(pass == 0
+                         ? ringPlaces(strokes[i], closingDistance, closed[i])
+                         : chaikinPass(static_cast<int>(strokes[i].Samples.size()), strokes[i].Closed));
+    }
+    vtkNew<vtkPolyData> next;
+    WriteStrokes(now, strokes, places, closed, next);
+    now->ShallowCopy(next);
+    context.checkpoint((pass + 1.0) / (this->Iterations + 1.0));
+  }
+  vtkPolyData::GetData(outputs)->ShallowCopy(now);
 }
 
 void vtkOversketchChaikin::PrintSelf(ostream& os, vtkIndent indent)

@@ -29,13 +29,13 @@
 #define vtkOversketchChaikin_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchChaikin : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchChaikin : public vtkOversketchFilter
 {
 public:
   static vtkOversketchChaikin* New();
-  vtkTypeMacro(vtkOversketchChaikin, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchChaikin, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -50,7 +50,7 @@ protected:
   vtkOversketchChaikin() = default;
   ~vtkOversketchChaikin() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchChaikin(const vtkOversketchChaikin&) = delete;

@@ -119,13 +119,12 @@ SnappedStroke asDrawn(const Polyline& points)
 
 vtkDataArray* strokeArray(vtkPolyData* curves, const char* name)
 {
-  return curves->GetCellData()->HasArray(name) ? RequireArray(curves->GetCellData(),
-                                                   name,
-                                                   1,
-                                                   curves->GetNumberOfCells(),
-                                                   "drawing",
-                                                   "it is one number for each stroke")
-                                               : nullptr;
+  return OptionalArray(curves->GetCellData(),
+    name,
+    1,
+    curves->GetNumberOfCells(),
+    "drawing",
+    "it is one number for each stroke");
 }
 
 // Does the work for a stroke, whose number is put before what it says of it.
@@ -266,100 +265,87 @@ void vtkOversketchMagneticSnap::Prepare()
   }
 }
 
-int vtkOversketchMagneticSnap::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchMagneticSnap::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  Search search(curves, vtkImageData::GetData(inputs[1]));
+  LivewireRules& rules = search.Rules;
+  if (this->AsPublished)
+  {
+    rules.edgeAngle = vtkMath::Pi();
+    rules.sigma = 0.0;
+    rules.together = false;
+  }
+  const double published = this->AsPublished ? 1.0 : 0.0;
+  const StepKey rulesKey({}, { published });
+  Cache& cache = *this->Internals;
+  if (cache.RulesKey != rulesKey)
+  {
+    cache.Known.clear();
+    cache.RulesKey = rulesKey;
+  }
+  const auto snap = [&](int stroke, const Context& context)
+  {
+    Question question = OfStroke(stroke, [&] { return search.Ask(stroke); });
+    const EdgeFeatures& edges = cache.Edges(search.Picture, search.Place, rules.together, this->EdgeCount);
+    const SnappedStroke* known = cache.Find(question);
+    if (!known)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      if (curves->GetNumberOfPoints() == 0)
+      ++this->SnapCount;
+      rules.radius = question.Radius;
+      cache.Known.emplace_back(question,
+        OfStroke(stroke,
+          [&] { return snapped(edges, question.Pixels, question.Closed, question.Seeds, rules, context); }));
+      known = &cache.Known.back().second;
+    }
+    return std::make_pair(std::move(question), *known);
+  };
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const PicturePlace& place = search.Place;
+  cache.Kept.Provide(StepKey({ CurvesKey(curves, { "Magnetic", "SnapRadius" }), search.ScalarsKey() },
+                       { published,
+                         place.Origin[0],
+                         place.Origin[1],
+                         place.Spacing[0],
+                         place.Spacing[1],
+                         static_cast<double>(place.Columns),
+                         static_cast<double>(place.Rows) }),
+    output,
+    [&](vtkPolyData* result)
+    {
+      Cache::Answers answers;
+      std::vector<CanvasStroke> written;
+      std::vector<std::vector<Blend>> places;
+      const auto flags = NewArray<vtkUnsignedCharArray>("Snapped");
+      const double share = 1.0 / static_cast<double>(search.Lines.size());
+      for (int i = 0; i < static_cast<int>(search.Lines.size()); ++i)
       {
-        return;
-      }
-      Search search(curves, vtkImageData::GetData(inputs[1]));
-      LivewireRules& rules = search.Rules;
-      if (this->AsPublished)
-      {
-        rules.edgeAngle = vtkMath::Pi();
-        rules.sigma = 0.0;
-        rules.together = false;
-      }
-      const double published = this->AsPublished ? 1.0 : 0.0;
-      const StepKey rulesKey({}, { published });
-      Cache& cache = *this->Internals;
-      if (cache.RulesKey != rulesKey)
-      {
-        cache.Known.clear();
-        cache.RulesKey = rulesKey;
-      }
-      const auto snap = [&](int stroke, const Context& context)
-      {
-        Question question = OfStroke(stroke, [&] { return search.Ask(stroke); });
-        const EdgeFeatures& edges =
-          cache.Edges(search.Picture, search.Place, rules.together, this->EdgeCount);
-        const SnappedStroke* known = cache.Find(question);
-        if (!known)
+        const Context context = ContextOf(this, share * i, share * (i + 1));
+        context.checkpoint(0.0);
+        const DrawnLine& line = search.Lines[i];
+        SnappedStroke stroke = asDrawn(line.Samples);
+        if (search.IsMagnetic(i))
         {
-          ++this->SnapCount;
-          rules.radius = question.Radius;
-          cache.Known.emplace_back(question,
-            OfStroke(stroke,
-              [&]
-              { return snapped(edges, question.Pixels, question.Closed, question.Seeds, rules, context); }));
-          known = &cache.Known.back().second;
+          answers.push_back(snap(i, context));
+          stroke = answers.back().second;
         }
-        return std::make_pair(std::move(question), *known);
-      };
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      const PicturePlace& place = search.Place;
-      cache.Kept.Provide(StepKey({ CurvesKey(curves, { "Magnetic", "SnapRadius" }), search.ScalarsKey() },
-                           { published,
-                             place.Origin[0],
-                             place.Origin[1],
-                             place.Spacing[0],
-                             place.Spacing[1],
-                             static_cast<double>(place.Columns),
-                             static_cast<double>(place.Rows) }),
-        output,
-        [&](vtkPolyData* result)
+        CanvasStroke curve{ {}, line.Closed };
+        for (std::size_t k = 0; k < stroke.points.size(); ++k)
         {
-          Cache::Answers answers;
-          std::vector<CanvasStroke> written;
-          std::vector<std::vector<Blend>> places;
-          vtkNew<vtkUnsignedCharArray> flags;
-          flags->SetName("Snapped");
-          const double share = 1.0 / static_cast<double>(search.Lines.size());
-          for (int i = 0; i < static_cast<int>(search.Lines.size()); ++i)
-          {
-            const Context context = ContextOf(this, share * i, share * (i + 1));
-            context.checkpoint(0.0);
-            const DrawnLine& line = search.Lines[i];
-            SnappedStroke stroke = asDrawn(line.Samples);
-            if (search.IsMagnetic(i))
-            {
-              answers.push_back(snap(i, context));
-              stroke = answers.back().second;
-            }
-            CanvasStroke curve{ {}, line.Closed };
-            for (std::size_t k = 0; k < stroke.points.size(); ++k)
-            {
-              // What was not moved keeps its bits.
-              curve.points.push_back(
-                stroke.snapped[k] ? place.ToWorld(stroke.points[k]) : stroke.origins[k].of(line.Samples));
-              flags->InsertNextValue(stroke.snapped[k]);
-            }
-            written.push_back(std::move(curve));
-            places.push_back(std::move(stroke.origins));
-          }
-          WriteCurves(written, search.Rectangle, result);
-          result->GetPointData()->AddArray(flags);
-          CarryPointArrays(curves, search.Lines, places, result);
-          cache.Known = std::move(answers);
-        });
-      PassDrawingArrays(curves, output);
+          // What was not moved keeps its bits.
+          curve.points.push_back(
+            stroke.snapped[k] ? place.ToWorld(stroke.points[k]) : stroke.origins[k].of(line.Samples));
+          flags->InsertNextValue(stroke.snapped[k]);
+        }
+        written.push_back(std::move(curve));
+        places.push_back(std::move(stroke.origins));
+      }
+      WriteCurves(written, search.Rectangle, result);
+      result->GetPointData()->AddArray(flags);
+      CarryPointArrays(curves, search.Lines, places, result);
+      cache.Known = std::move(answers);
     });
+  PassDrawingArrays(curves, output);
 }
 
 void vtkOversketchMagneticSnap::PrintSelf(ostream& os, vtkIndent indent)

@@ -38,15 +38,15 @@
 #define vtkOversketchMagneticSnap_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkOversketchFilter
 {
 public:
   static vtkOversketchMagneticSnap* New();
-  vtkTypeMacro(vtkOversketchMagneticSnap, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchMagneticSnap, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -84,7 +84,7 @@ protected:
   vtkOversketchMagneticSnap();
   ~vtkOversketchMagneticSnap() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchMagneticSnap(const vtkOversketchMagneticSnap&) = delete;

@@ -24,9 +24,8 @@
 using namespace oversketch;
 
 // The ray scene of the mesh, held for the next stroke.
-struct vtkOversketchNurbsFit::Cache
+struct vtkOversketchNurbsFit::Cache : KeptSurface
 {
-  KeptSurface Surface;
 };
 
 vtkStandardNewMacro(vtkOversketchNurbsFit);
@@ -146,82 +145,71 @@ vtkOversketchNurbsFit::vtkOversketchNurbsFit()
 
 vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
 
-int vtkOversketchNurbsFit::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchNurbsFit::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  RequireFinite(this->Spacing, "Spacing");
+  const std::vector<DrawnLine> strokes = ReadStrokes(input);
+  FitRules rules;
+  rules.spacing = this->Spacing;
+  rules.interpolate = this->Interpolate;
+  rules.periodic = this->Periodic;
+  rules.cutLoops = this->CutLoops;
+  const SurfaceRays* surface = nullptr;
+  if (this->FitSpace == World)
+  {
+    if (!mesh || mesh->GetNumberOfPoints() == 0)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
+      throw Error(Failure::BadMesh,
+        "There is no mesh to fit splines in space on; give it on port 1, or set {FitSpace Picture}.");
+    }
+    RequirePolygonsOnly(mesh);
+    surface = &this->Internals->Provide(mesh, ContextOf(this, 0.0, 0.5));
+  }
+  const Context context = ContextOf(this, surface ? 0.5 : 0.0, 1.0);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  const auto parameters = NewArray<vtkDoubleArray>("CurveT");
+  SplineArrays splines(surface != nullptr);
+  vtkPointData* from = input->GetPointData();
+  vtkPointData* to = output->GetPointData();
+  to->InterpolateAllocate(from);
+  vtkNew<vtkIdList> ids;
+  for (std::size_t i = 0; i < strokes.size(); ++i)
+  {
+    const FittedStroke fitted =
+      fittedLine(strokes[i], this->Closed || strokes[i].Closed, i, rules, surface, input);
+    lines->InsertNextCell(static_cast<int>(fitted.places.size()) + fitted.closed);
+    const vtkIdType first = points->GetNumberOfPoints();
+    for (std::size_t k = 0; k < fitted.places.size(); ++k)
+    {
+      SplinePlace place = fitted.places[k];
+      const vtkIdType id = points->InsertNextPoint(fitted.seen[k][0], fitted.seen[k][1], 0.0);
+      lines->InsertCellPoint(id);
+      parameters->InsertNextValue(fitted.parameters[k]);
+      ids->SetNumberOfIds(place.count);
+      for (int c = 0; c < place.count; ++c)
       {
-        return;
+        ids->SetId(c, strokes[i].Ids[fitted.kept[place.points[c]]]);
       }
-      RequireFinite(this->Spacing, "Spacing");
-      const std::vector<DrawnLine> strokes = ReadStrokes(input);
-      FitRules rules;
-      rules.spacing = this->Spacing;
-      rules.interpolate = this->Interpolate;
-      rules.periodic = this->Periodic;
-      rules.cutLoops = this->CutLoops;
-      const SurfaceRays* surface = nullptr;
-      if (this->FitSpace == World)
-      {
-        if (!mesh || mesh->GetNumberOfPoints() == 0)
-        {
-          throw Error(Failure::BadMesh,
-            "There is no mesh to fit splines in space on; give it on port 1, or set {FitSpace Picture}.");
-        }
-        RequirePolygonsOnly(mesh);
-        surface = &this->Internals->Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
-      }
-      const Context context = ContextOf(this, surface ? 0.5 : 0.0, 1.0);
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      vtkNew<vtkCellArray> lines;
-      vtkNew<vtkDoubleArray> parameters;
-      parameters->SetName("CurveT");
-      SplineArrays splines(surface != nullptr);
-      vtkPointData* from = input->GetPointData();
-      vtkPointData* to = output->GetPointData();
-      to->InterpolateAllocate(from);
-      vtkNew<vtkIdList> ids;
-      for (std::size_t i = 0; i < strokes.size(); ++i)
-      {
-        const FittedStroke fitted =
-          fittedLine(strokes[i], this->Closed || strokes[i].Closed, i, rules, surface, input);
-        lines->InsertNextCell(static_cast<int>(fitted.places.size()) + fitted.closed);
-        const vtkIdType first = points->GetNumberOfPoints();
-        for (std::size_t k = 0; k < fitted.places.size(); ++k)
-        {
-          SplinePlace place = fitted.places[k];
-          const vtkIdType id = points->InsertNextPoint(fitted.seen[k][0], fitted.seen[k][1], 0.0);
-          lines->InsertCellPoint(id);
-          parameters->InsertNextValue(fitted.parameters[k]);
-          ids->SetNumberOfIds(place.count);
-          for (int c = 0; c < place.count; ++c)
-          {
-            ids->SetId(c, strokes[i].Ids[fitted.kept[place.points[c]]]);
-          }
-          to->InterpolatePoint(from, id, ids, place.weights.data());
-        }
-        if (fitted.closed)
-        {
-          lines->InsertCellPoint(first);
-        }
-        splines.Insert(fitted);
-        context.checkpoint(static_cast<double>(i + 1) / static_cast<double>(strokes.size()));
-      }
-      output->SetPoints(points);
-      output->SetLines(lines);
-      to->AddArray(parameters);
-      output->GetCellData()->PassData(input->GetCellData());
-      output->GetFieldData()->PassData(input->GetFieldData());
-      splines.Write(output);
-    });
+      to->InterpolatePoint(from, id, ids, place.weights.data());
+    }
+    if (fitted.closed)
+    {
+      lines->InsertCellPoint(first);
+    }
+    splines.Insert(fitted);
+    context.checkpoint(static_cast<double>(i + 1) / static_cast<double>(strokes.size()));
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  to->AddArray(parameters);
+  output->GetCellData()->PassData(input->GetCellData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+  splines.Write(output);
 }
 
 void vtkOversketchNurbsFit::PrintSelf(ostream& os, vtkIndent indent)

@@ -40,15 +40,15 @@
 #define vtkOversketchNurbsFit_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkOversketchFilter
 {
 public:
   static vtkOversketchNurbsFit* New();
-  vtkTypeMacro(vtkOversketchNurbsFit, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchNurbsFit, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum FitSpaceType
@@ -129,7 +129,7 @@ protected:
   vtkOversketchNurbsFit();
   ~vtkOversketchNurbsFit() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchNurbsFit(const vtkOversketchNurbsFit&) = delete;

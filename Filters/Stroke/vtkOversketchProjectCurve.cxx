@@ -8,10 +8,8 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -82,10 +80,8 @@ void writeParameters(const std::vector<StrokeCurve>& curves,
   vtkDataArray* parameters,
   vtkPolyData* output)
 {
-  vtkNew<vtkDoubleArray> along;
-  along->SetName("CurveT");
-  vtkNew<vtkIntArray> closed;
-  closed->SetName("Closed");
+  const auto along = NewArray<vtkDoubleArray>("CurveT");
+  const auto closed = NewArray<vtkIntArray>("Closed");
   for (const StrokeCurve& curve : curves)
   {
     const DrawnLine& line = lines[static_cast<std::size_t>(curve.Stroke)];
@@ -114,77 +110,67 @@ vtkIdType vtkOversketchProjectCurve::GetSceneCount()
   return this->Internals->Surface.Builds();
 }
 
-int vtkOversketchProjectCurve::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  RequirePolygonsOnly(mesh); // the key does not see other cells
+  RequireFinite(this->Spacing, "Spacing");
+  vtkDataArray* parameters = OptionalArray(strokes->GetPointData(),
+    "CurveT",
+    1,
+    strokes->GetNumberOfPoints(),
+    "curves",
+    "take them from vtkOversketchNurbsFit, or remove it");
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(
+    StepKey({ WholeKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) }, { this->Spacing }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      if (strokes->GetNumberOfPoints() == 0 || mesh->GetNumberOfPoints() == 0)
+      ++this->ProjectionCount;
+      const std::vector<DrawnLine> lines = ReadStrokes(strokes);
+      RefuseEndless(lines);
+      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      CurveRules rules;
+      rules.spacing = this->Spacing;
+      std::vector<StrokeCurve> curves;
+      for (std::size_t i = 0; i < lines.size(); ++i)
       {
-        return;
-      }
-      RequirePolygonsOnly(mesh); // the key does not see other cells
-      RequireFinite(this->Spacing, "Spacing");
-      vtkDataArray* parameters = strokes->GetPointData()->GetAbstractArray("CurveT")
-                                   ? RequireArray(strokes->GetPointData(),
-                                       "CurveT",
-                                       1,
-                                       strokes->GetNumberOfPoints(),
-                                       "curves",
-                                       "take them from vtkOversketchNurbsFit, or remove it")
-                                   : nullptr;
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(StepKey({ WholeKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) },
-                           { this->Spacing }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
+        const int stroke = static_cast<int>(i);
+        const double share = 0.5 / static_cast<double>(lines.size());
+        const std::vector<SurfaceCurve> runs = projectLine(surface,
+          strokes,
+          lines[i],
+          stroke,
+          rules,
+          ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
+        if (lines[i].Closed)
         {
-          ++this->ProjectionCount;
-          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
-          RefuseEndless(lines);
-          const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
-          CurveRules rules;
-          rules.spacing = this->Spacing;
-          std::vector<StrokeCurve> curves;
-          for (std::size_t i = 0; i < lines.size(); ++i)
+          for (const SurfaceCurve& run : runs)
           {
-            const int stroke = static_cast<int>(i);
-            const double share = 0.5 / static_cast<double>(lines.size());
-            const std::vector<SurfaceCurve> runs = projectLine(surface,
-              strokes,
-              lines[i],
-              stroke,
-              rules,
-              ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
-            if (lines[i].Closed)
-            {
-              for (const SurfaceCurve& run : runs)
-              {
-                curves.push_back({ run, stroke });
-              }
-              continue;
-            }
-            curves.push_back(
-              { *std::max_element(runs.begin(),
-                  runs.end(),
-                  [](const SurfaceCurve& a, const SurfaceCurve& b) { return lengthOf(a) < lengthOf(b); }),
-                stroke });
-            if (runs.size() > 1)
-            {
-              Warn(this,
-                { "{Stroke %1} lies on the mesh in %2 parts; the longest one is taken.",
-                  stroke,
-                  runs.size() });
-            }
+            curves.push_back({ run, stroke });
           }
-          WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
-          writeParameters(curves, lines, parameters, result);
-          result->GetFieldData()->PassData(strokes->GetFieldData());
-        });
+          continue;
+        }
+        curves.push_back(
+          { *std::max_element(runs.begin(),
+              runs.end(),
+              [](const SurfaceCurve& a, const SurfaceCurve& b) { return lengthOf(a) < lengthOf(b); }),
+            stroke });
+        if (runs.size() > 1)
+        {
+          Warn(this,
+            { "{Stroke %1} lies on the mesh in %2 parts; the longest one is taken.", stroke, runs.size() });
+        }
+      }
+      WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
+      writeParameters(curves, lines, parameters, result);
+      result->GetFieldData()->PassData(strokes->GetFieldData());
     });
 }
 

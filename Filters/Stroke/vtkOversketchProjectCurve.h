@@ -41,15 +41,15 @@
 #define vtkOversketchProjectCurve_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchProjectCurve : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchProjectCurve : public vtkOversketchFilter
 {
 public:
   static vtkOversketchProjectCurve* New();
-  vtkTypeMacro(vtkOversketchProjectCurve, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchProjectCurve, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -81,7 +81,7 @@ protected:
   vtkOversketchProjectCurve();
   ~vtkOversketchProjectCurve() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchProjectCurve(const vtkOversketchProjectCurve&) = delete;

@@ -8,7 +8,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -19,9 +18,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRedraw::Cache
+struct vtkOversketchRedraw::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchRedraw);
@@ -204,66 +202,56 @@ vtkOversketchRedraw::vtkOversketchRedraw()
 
 vtkOversketchRedraw::~vtkOversketchRedraw() = default;
 
-int vtkOversketchRedraw::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* corrections = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (!corrections || corrections->GetNumberOfPoints() == 0)
+  {
+    output->ShallowCopy(curves);
+    return;
+  }
+  this->Internals->Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* corrections = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (curves->GetNumberOfPoints() == 0)
+      ++this->CorrectionCount;
+      const Canvas canvas = CanvasOf(curves);
+      std::vector<vtkDataArray*> oldArrays, freshArrays;
+      for (int i = 0; i < curves->GetPointData()->GetNumberOfArrays(); ++i)
       {
-        return;
-      }
-      if (!corrections || corrections->GetNumberOfPoints() == 0)
-      {
-        output->ShallowCopy(curves);
-        return;
-      }
-      this->Internals->Kept.Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
-        output,
-        [&](vtkPolyData* result)
+        vtkDataArray* array = curves->GetPointData()->GetArray(i);
+        vtkDataArray* other = array ? counterpart(array, corrections->GetPointData()) : nullptr;
+        if (other && std::strcmp(array->GetName(), "ArcLength") != 0)
         {
-          ++this->CorrectionCount;
-          const Canvas canvas = CanvasOf(curves);
-          std::vector<vtkDataArray*> oldArrays, freshArrays;
-          for (int i = 0; i < curves->GetPointData()->GetNumberOfArrays(); ++i)
-          {
-            vtkDataArray* array = curves->GetPointData()->GetArray(i);
-            vtkDataArray* other = array ? counterpart(array, corrections->GetPointData()) : nullptr;
-            if (other && std::strcmp(array->GetName(), "ArcLength") != 0)
-            {
-              oldArrays.push_back(array);
-              freshArrays.push_back(other);
-            }
-          }
-          Redrawn redrawn;
-          for (const DrawnLine& line : ReadStrokes(curves, 1))
-          {
-            redrawn.Curves.push_back({ line.Samples, line.Closed });
-            redrawn.Numbers.push_back(valuesAt(oldArrays, line.Ids));
-          }
-          const std::vector<DrawnLine> lines = ReadStrokes(corrections, 1);
-          const Context context = ContextOf(this);
-          for (int i = 0; i < static_cast<int>(lines.size()); ++i)
-          {
-            const StrokeOnCanvas fresh = OntoCanvas(corrections, lines, i, canvas, "Correction");
-            std::vector<vtkIdType> ids;
-            for (const Blend& place : fresh.Places)
-            {
-              ids.push_back(lines[i].Ids[place.from]);
-            }
-            redrawn.Apply(fresh, valuesAt(freshArrays, ids), i, canvas);
-            context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
-          }
-          WriteCurves(redrawn.Curves, canvas, result);
-          writePointArrays(oldArrays, redrawn, result);
-          writeCellArrays(curves->GetCellData(), corrections->GetCellData(), redrawn, result);
-          PassDrawingArrays(curves, result);
-        });
+          oldArrays.push_back(array);
+          freshArrays.push_back(other);
+        }
+      }
+      Redrawn redrawn;
+      for (const DrawnLine& line : ReadStrokes(curves, 1))
+      {
+        redrawn.Curves.push_back({ line.Samples, line.Closed });
+        redrawn.Numbers.push_back(valuesAt(oldArrays, line.Ids));
+      }
+      const std::vector<DrawnLine> lines = ReadStrokes(corrections, 1);
+      const Context context = ContextOf(this);
+      for (int i = 0; i < static_cast<int>(lines.size()); ++i)
+      {
+        const StrokeOnCanvas fresh = OntoCanvas(corrections, lines, i, canvas, "Correction");
+        std::vector<vtkIdType> ids;
+        for (const Blend& place : fresh.Places)
+        {
+          ids.push_back(lines[i].Ids[place.from]);
+        }
+        redrawn.Apply(fresh, valuesAt(freshArrays, ids), i, canvas);
+        context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
+      }
+      WriteCurves(redrawn.Curves, canvas, result);
+      writePointArrays(oldArrays, redrawn, result);
+      writeCellArrays(curves->GetCellData(), corrections->GetCellData(), redrawn, result);
+      PassDrawingArrays(curves, result);
     });
 }
 

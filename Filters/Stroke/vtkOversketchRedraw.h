@@ -34,15 +34,15 @@
 #define vtkOversketchRedraw_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchRedraw : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchRedraw : public vtkOversketchFilter
 {
 public:
   static vtkOversketchRedraw* New();
-  vtkTypeMacro(vtkOversketchRedraw, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchRedraw, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -60,7 +60,7 @@ protected:
   vtkOversketchRedraw();
   ~vtkOversketchRedraw() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchRedraw(const vtkOversketchRedraw&) = delete;

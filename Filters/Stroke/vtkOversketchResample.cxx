@@ -5,7 +5,6 @@
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchKept.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -14,9 +13,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResample::Cache
+struct vtkOversketchResample::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 vtkStandardNewMacro(vtkOversketchResample);
@@ -58,51 +56,41 @@ vtkOversketchResample::vtkOversketchResample()
 
 vtkOversketchResample::~vtkOversketchResample() = default;
 
-int vtkOversketchResample::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchResample::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  this->Internals->Provide(StepKey({ CurvesKey(input) }, {}),
+    output,
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      if (input->GetNumberOfPoints() == 0)
+      ++this->ResamplingCount;
+      const Canvas canvas = CanvasOf(input);
+      const std::vector<DrawnLine> lines = ReadStrokes(input, 1);
+      const Context context = ContextOf(this);
+      std::vector<DrawnStroke> strokes;
+      std::vector<std::vector<Blend>> places;
+      for (const DrawnLine& line : lines)
       {
-        return;
+        places.push_back(placesOf(line, static_cast<int>(places.size()), SampleSpacing(canvas)));
+        strokes.push_back({ line.Samples, line.Closed });
+        context.checkpoint(0.5 * static_cast<double>(places.size()) / static_cast<double>(lines.size()));
       }
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      this->Internals->Kept.Provide(StepKey({ CurvesKey(input) }, {}),
-        output,
-        [&](vtkPolyData* result)
+      keepApart(frameOf(canvas), strokes, SampleSpacing(canvas), places, context);
+      std::vector<CanvasStroke> curves;
+      for (std::size_t i = 0; i < lines.size(); ++i)
+      {
+        CanvasStroke curve{ {}, lines[i].Closed };
+        for (const Blend& place : places[i])
         {
-          ++this->ResamplingCount;
-          const Canvas canvas = CanvasOf(input);
-          const std::vector<DrawnLine> lines = ReadStrokes(input, 1);
-          const Context context = ContextOf(this);
-          std::vector<DrawnStroke> strokes;
-          std::vector<std::vector<Blend>> places;
-          for (const DrawnLine& line : lines)
-          {
-            places.push_back(placesOf(line, static_cast<int>(places.size()), SampleSpacing(canvas)));
-            strokes.push_back({ line.Samples, line.Closed });
-            context.checkpoint(0.5 * static_cast<double>(places.size()) / static_cast<double>(lines.size()));
-          }
-          keepApart(frameOf(canvas), strokes, SampleSpacing(canvas), places, context);
-          std::vector<CanvasStroke> curves;
-          for (std::size_t i = 0; i < lines.size(); ++i)
-          {
-            CanvasStroke curve{ {}, lines[i].Closed };
-            for (const Blend& place : places[i])
-            {
-              curve.points.push_back(place.of(lines[i].Samples));
-            }
-            curves.push_back(std::move(curve));
-          }
-          WriteCurves(curves, canvas, result);
-          CarryPointArrays(input, lines, places, result);
-        });
-      PassDrawingArrays(input, output);
+          curve.points.push_back(place.of(lines[i].Samples));
+        }
+        curves.push_back(std::move(curve));
+      }
+      WriteCurves(curves, canvas, result);
+      CarryPointArrays(input, lines, places, result);
     });
+  PassDrawingArrays(input, output);
 }
 
 void vtkOversketchResample::PrintSelf(ostream& os, vtkIndent indent)

@@ -27,15 +27,15 @@
 #define vtkOversketchResample_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResample : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResample : public vtkOversketchFilter
 {
 public:
   static vtkOversketchResample* New();
-  vtkTypeMacro(vtkOversketchResample, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchResample, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -47,7 +47,7 @@ protected:
   vtkOversketchResample();
   ~vtkOversketchResample() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchResample(const vtkOversketchResample&) = delete;

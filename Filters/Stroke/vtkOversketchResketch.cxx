@@ -3,19 +3,16 @@
 #include "Stroke/correct.h"
 #include "Stroke/resketch.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchPolylines.h"
 #include "vtkOversketchStrokeTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -25,9 +22,8 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResketch::Cache
+struct vtkOversketchResketch::Cache : KeptOutput
 {
-  KeptOutput Kept;
 };
 
 namespace
@@ -125,22 +121,10 @@ void blendArrays(vtkPolyData* curve,
 
 void writeCurve(const Polyline& curve, bool closed, vtkPolyData* output)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(curve.size()) + (closed ? 1 : 0));
-  for (const Vector2& p : curve)
-  {
-    lines->InsertCellPoint(points->InsertNextPoint(p[0], p[1], 0.0));
-  }
-  if (closed)
-  {
-    lines->InsertCellPoint(0);
-  }
-  output->SetPoints(points);
-  output->SetLines(lines);
-  vtkNew<vtkDoubleArray> shares;
-  shares->SetName("CurveT");
+  Polylines line;
+  line.Add(curve, closed);
+  line.Put(output);
+  const auto shares = NewArray<vtkDoubleArray>("CurveT");
   const std::vector<double> lengths = arcLengths(curve, closed);
   for (std::size_t i = 0; i < curve.size(); ++i)
   {
@@ -180,82 +164,73 @@ vtkOversketchResketch::vtkOversketchResketch()
 
 vtkOversketchResketch::~vtkOversketchResketch() = default;
 
-int vtkOversketchResketch::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* curve = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
+  if (stroke->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  this->Internals->Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
+                             { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* curve = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
-      if (curve->GetNumberOfPoints() == 0 || stroke->GetNumberOfPoints() == 0)
+      ++this->ResketchCount;
+      DrawnLine old = oneLine(curve, "curve");
+      const DrawnLine fresh = oneLine(stroke, "stroke");
+      vtkDataArray* vertices = nullptr;
+      if (curve->GetPointData()->HasArray("VertexId"))
       {
-        return;
+        vertices = RequireArray(curve->GetPointData(),
+          "VertexId",
+          1,
+          curve->GetNumberOfPoints(),
+          "curve",
+          "take it from vtkOversketchInsertCurve");
+        seeInPicture(curve, ViewOf(stroke), old);
       }
-      this->Internals->Kept.Provide(
-        StepKey({ WholeKey(curve), WholeKey(stroke) },
-          { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
-        {
-          ++this->ResketchCount;
-          DrawnLine old = oneLine(curve, "curve");
-          const DrawnLine fresh = oneLine(stroke, "stroke");
-          vtkDataArray* vertices = nullptr;
-          if (curve->GetPointData()->HasArray("VertexId"))
-          {
-            vertices = RequireArray(curve->GetPointData(),
-              "VertexId",
-              1,
-              curve->GetNumberOfPoints(),
-              "curve",
-              "take it from vtkOversketchInsertCurve");
-            seeInPicture(curve, ViewOf(stroke), old);
-          }
-          requireLength(old.Samples, "curve");
-          requireLength(fresh.Samples, "stroke");
-          ResketchRules rules;
-          rules.reach = this->K;
-          rules.spacing = std::min(meanStep(old), meanStep(fresh));
-          rules.middle =
-            this->Middle == Closest ? ResketchRules::Middle::Closest : ResketchRules::Middle::ArcLength;
-          rules.rawTangents = this->RawTangents;
-          Resketched drawn = old.Closed ? resketchClosed(old.Samples, fresh.Samples, rules)
-                                        : resketch(old.Samples, fresh.Samples, rules);
-          if (drawn.points == old.Samples)
-          {
-            Warn(this, "The stroke replaces nothing of the curve: draw it along a part of the curve.");
-          }
-          dropRepeated(drawn, old.Closed);
-          ContextOf(this).checkpoint(0.9);
+      requireLength(old.Samples, "curve");
+      requireLength(fresh.Samples, "stroke");
+      ResketchRules rules;
+      rules.reach = this->K;
+      rules.spacing = std::min(meanStep(old), meanStep(fresh));
+      rules.middle =
+        this->Middle == Closest ? ResketchRules::Middle::Closest : ResketchRules::Middle::ArcLength;
+      rules.rawTangents = this->RawTangents;
+      Resketched drawn = old.Closed ? resketchClosed(old.Samples, fresh.Samples, rules)
+                                    : resketch(old.Samples, fresh.Samples, rules);
+      if (drawn.points == old.Samples)
+      {
+        Warn(this, "The stroke replaces nothing of the curve: draw it along a part of the curve.");
+      }
+      dropRepeated(drawn, old.Closed);
+      ContextOf(this).checkpoint(0.9);
 
-          writeCurve(drawn.points, old.Closed, result);
-          vtkNew<vtkDoubleArray> sources;
-          sources->SetName("SourceT");
-          vtkNew<vtkIdTypeArray> kept;
-          kept->SetName("VertexId");
-          for (const double share : sourcesOf(drawn.origins, old.Samples, old.Closed))
-          {
-            sources->InsertNextValue(share);
-          }
-          for (const Origin& origin : drawn.origins)
-          {
-            const bool stays = origin.weight == 0.0 && isPoint(origin.before);
-            kept->InsertNextValue(stays && vertices ? static_cast<vtkIdType>(vertices->GetComponent(
-                                                        old.Ids[origin.before.from], 0))
-                                                    : -1);
-          }
-          result->GetPointData()->AddArray(sources);
-          if (vertices)
-          {
-            result->GetPointData()->AddArray(kept);
-          }
-          blendArrays(curve, old, stroke, fresh, drawn.origins, result);
-          result->GetCellData()->PassData(curve->GetCellData());
-          result->GetCellData()->PassData(stroke->GetCellData());
-          result->GetFieldData()->PassData(curve->GetFieldData());
-        });
+      writeCurve(drawn.points, old.Closed, result);
+      const auto sources = NewArray<vtkDoubleArray>("SourceT");
+      const auto kept = NewArray<vtkIdTypeArray>("VertexId");
+      for (const double share : sourcesOf(drawn.origins, old.Samples, old.Closed))
+      {
+        sources->InsertNextValue(share);
+      }
+      for (const Origin& origin : drawn.origins)
+      {
+        const bool stays = origin.weight == 0.0 && isPoint(origin.before);
+        kept->InsertNextValue(
+          stays && vertices ? static_cast<vtkIdType>(vertices->GetComponent(old.Ids[origin.before.from], 0))
+                            : -1);
+      }
+      result->GetPointData()->AddArray(sources);
+      if (vertices)
+      {
+        result->GetPointData()->AddArray(kept);
+      }
+      blendArrays(curve, old, stroke, fresh, drawn.origins, result);
+      result->GetCellData()->PassData(curve->GetCellData());
+      result->GetCellData()->PassData(stroke->GetCellData());
+      result->GetFieldData()->PassData(curve->GetFieldData());
     });
 }
 

@@ -37,15 +37,15 @@
 #define vtkOversketchResketch_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResketch : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResketch : public vtkOversketchFilter
 {
 public:
   static vtkOversketchResketch* New();
-  vtkTypeMacro(vtkOversketchResketch, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchResketch, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum MiddleType
@@ -100,7 +100,7 @@ protected:
   vtkOversketchResketch();
   ~vtkOversketchResketch() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchResketch(const vtkOversketchResketch&) = delete;

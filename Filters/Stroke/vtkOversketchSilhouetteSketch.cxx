@@ -8,7 +8,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,9 +38,7 @@ std::vector<SilhouetteChain> readSilhouette(vtkPolyData* curves)
   }
   vtkDataArray* normals =
     RequireArray(curves->GetPointData(), "Normals", 3, curves->GetNumberOfPoints(), "silhouette", remedy);
-  vtkDataArray* visible = curves->GetCellData()->HasArray("Visible")
-                            ? RequireArray(curves->GetCellData(), "Visible", 1, count, "silhouette", remedy)
-                            : nullptr;
+  vtkDataArray* visible = OptionalArray(curves->GetCellData(), "Visible", 1, count, "silhouette", remedy);
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
@@ -78,8 +75,7 @@ void writeSketch(const std::vector<Vector3>& sketch, vtkPolyData* curve, vtkPoly
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  vtkNew<vtkDoubleArray> arcs;
-  arcs->SetName("ArcLength");
+  const auto arcs = NewArray<vtkDoubleArray>("ArcLength");
   double arc = 0.0;
   for (std::size_t k = 0; k < sketch.size(); ++k)
   {
@@ -103,7 +99,6 @@ struct vtkOversketchSilhouetteSketch::Cache
 {
   KeptSurface Surface;
   KeptOutput Kept;
-  vtkNew<vtkPolyData> Sketch;
 };
 
 vtkStandardNewMacro(vtkOversketchSilhouetteSketch);
@@ -127,64 +122,53 @@ vtkIdType vtkOversketchSilhouetteSketch::GetSceneCount()
   return this->Internals->Surface.Builds();
 }
 
-int vtkOversketchSilhouetteSketch::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* silhouette = vtkPolyData::GetData(inputs[2]);
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  RequirePolygonsOnly(mesh); // the key does not see other cells
+  if (!std::isfinite(this->MaximumStep))
+  {
+    throw Error(Failure::BadStroke, "{MaximumStep} is not finite; set a length, 0 or -1.");
+  }
+  Cache& cache = *this->Internals;
+  const StepKey key({ StrokesKey(strokes),
+                      MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
+                      MeshKey(silhouette,
+                        { silhouette->GetPointData()->GetArray("Normals"),
+                          silhouette->GetCellData()->GetArray("Visible") }) },
+    { static_cast<double>(this->Projection), this->MaximumStep });
+  cache.Kept.Provide(key,
+    { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1) },
+    [&](const KeptOutput::Outputs& results)
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* silhouette = vtkPolyData::GetData(inputs[2]);
-      if (strokes->GetNumberOfPoints() == 0 || mesh->GetNumberOfPoints() == 0)
+      ++this->ProjectionCount;
+      const std::vector<DrawnLine> lines = ReadStrokes(strokes);
+      if (lines.size() != 1)
       {
-        return;
+        throw Error(Failure::BadStroke,
+          "The stroke input holds %1 polylines; a new silhouette is exactly one stroke.",
+          lines.size());
       }
-      RequirePolygonsOnly(mesh); // the key does not see other cells
-      if (!std::isfinite(this->MaximumStep))
-      {
-        throw Error(Failure::BadStroke, "{MaximumStep} is not finite; set a length, 0 or -1.");
-      }
-      Cache& cache = *this->Internals;
-      const StepKey key({ StrokesKey(strokes),
-                          MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
-                          MeshKey(silhouette,
-                            { silhouette->GetPointData()->GetArray("Normals"),
-                              silhouette->GetCellData()->GetArray("Visible") }) },
-        { static_cast<double>(this->Projection), this->MaximumStep });
-      cache.Kept.Provide(key,
-        vtkPolyData::GetData(outputs, 0),
-        [&](vtkPolyData* result)
-        {
-          ++this->ProjectionCount;
-          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
-          if (lines.size() != 1)
-          {
-            throw Error(Failure::BadStroke,
-              "The stroke input holds %1 polylines; a new silhouette is exactly one stroke.",
-              lines.size());
-          }
-          RefuseEndless(lines);
-          const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
-          SketchRules rules;
-          rules.projection = static_cast<SketchProjection>(this->Projection);
-          rules.maximumStep = this->MaximumStep < 0.0 ? 0.03 * surface.diagonal() : this->MaximumStep;
-          const SilhouetteSketch sketch = sketchSilhouette(surface,
-            ViewOfStroke(strokes, 0),
-            lines[0].Samples,
-            readSilhouette(silhouette),
-            rules,
-            ContextOf(this, 0.5, 1.0));
-          WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, result);
-          vtkNew<vtkDoubleArray> hidden;
-          hidden->SetName("Hidden");
-          hidden->InsertNextValue(sketch.hidden);
-          result->GetFieldData()->AddArray(hidden);
-          cache.Sketch->Initialize();
-          writeSketch(sketch.sketch, result, cache.Sketch);
-        });
-      vtkPolyData::GetData(outputs, 1)->ShallowCopy(cache.Sketch);
+      RefuseEndless(lines);
+      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      SketchRules rules;
+      rules.projection = static_cast<SketchProjection>(this->Projection);
+      rules.maximumStep = this->MaximumStep < 0.0 ? 0.03 * surface.diagonal() : this->MaximumStep;
+      const SilhouetteSketch sketch = sketchSilhouette(surface,
+        ViewOfStroke(strokes, 0),
+        lines[0].Samples,
+        readSilhouette(silhouette),
+        rules,
+        ContextOf(this, 0.5, 1.0));
+      WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, results[0]);
+      results[0]->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("Hidden", sketch.hidden));
+      writeSketch(sketch.sketch, results[0], results[1]);
     });
 }
 

@@ -44,15 +44,15 @@
 #define vtkOversketchSilhouetteSketch_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSilhouetteSketch : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSilhouetteSketch : public vtkOversketchFilter
 {
 public:
   static vtkOversketchSilhouetteSketch* New();
-  vtkTypeMacro(vtkOversketchSilhouetteSketch, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchSilhouetteSketch, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -116,7 +116,7 @@ protected:
   vtkOversketchSilhouetteSketch();
   ~vtkOversketchSilhouetteSketch() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchSilhouetteSketch(const vtkOversketchSilhouetteSketch&) = delete;

@@ -29,13 +29,13 @@
 #define vtkOversketchStrokeFilter_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchStrokeFilter : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchStrokeFilter : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStrokeFilter* New();
-  vtkTypeMacro(vtkOversketchStrokeFilter, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStrokeFilter, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -86,7 +86,7 @@ protected:
   vtkOversketchStrokeFilter() = default;
   ~vtkOversketchStrokeFilter() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStrokeFilter(const vtkOversketchStrokeFilter&) = delete;

@@ -26,13 +26,13 @@
 #define vtkOversketchStrokeThinning_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchStrokeThinning : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchStrokeThinning : public vtkOversketchFilter
 {
 public:
   static vtkOversketchStrokeThinning* New();
-  vtkTypeMacro(vtkOversketchStrokeThinning, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchStrokeThinning, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -47,7 +47,7 @@ protected:
   vtkOversketchStrokeThinning() = default;
   ~vtkOversketchStrokeThinning() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchStrokeThinning(const vtkOversketchStrokeThinning&) = delete;

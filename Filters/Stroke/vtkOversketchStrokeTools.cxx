@@ -266,9 +266,8 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   vtkDataArray* pressure = pressureOf(strokes);
   CurvePoints to(pressure);
   vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIntArray> curveIds, strokeIds;
-  curveIds->SetName("CurveId");
-  strokeIds->SetName("StrokeId");
+  const auto curveIds = NewArray<vtkIntArray>("CurveId");
+  const auto strokeIds = NewArray<vtkIntArray>("StrokeId");
   output->GetCellData()->AddArray(curveIds);
   output->GetCellData()->AddArray(strokeIds);
   const std::vector<vtkDataArray*> passed = passedArrays(strokes);

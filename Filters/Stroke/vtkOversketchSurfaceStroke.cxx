@@ -4,7 +4,6 @@
 #include "vtkOversketchStrokeTools.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -57,60 +56,53 @@ vtkIdType vtkOversketchSurfaceStroke::GetSceneCount()
   return this->Internals->Surface.Builds();
 }
 
-int vtkOversketchSurfaceStroke::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchSurfaceStroke::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
+  if (mesh->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  RequirePolygonsOnly(mesh); // the key does not see other cells
+  if (!std::isfinite(this->Tolerance))
+  {
+    throw Error(Failure::BadStroke, "{Tolerance} is not finite; set a length, 0 or -1.");
+  }
+  Cache& cache = *this->Internals;
+  cache.Kept.Provide(StepKey({ StrokesKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) },
+                       { this->Tolerance }),
+    vtkPolyData::GetData(outputs),
+    [&](vtkPolyData* result)
     {
-      vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[1]);
-      if (strokes->GetNumberOfPoints() == 0 || mesh->GetNumberOfPoints() == 0)
+      ++this->ProjectionCount;
+      const std::vector<DrawnLine> lines = ReadStrokes(strokes);
+      RefuseEndless(lines);
+      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      const double tolerance = this->Tolerance < 0.0 ? 6e-4 * surface.diagonal() : this->Tolerance;
+      std::vector<StrokeCurve> curves;
+      for (std::size_t i = 0; i < lines.size(); ++i)
       {
-        return;
-      }
-      RequirePolygonsOnly(mesh); // the key does not see other cells
-      if (!std::isfinite(this->Tolerance))
-      {
-        throw Error(Failure::BadStroke, "{Tolerance} is not finite; set a length, 0 or -1.");
-      }
-      Cache& cache = *this->Internals;
-      cache.Kept.Provide(
-        StepKey({ StrokesKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) },
-          { this->Tolerance }),
-        vtkPolyData::GetData(outputs),
-        [&](vtkPolyData* result)
+        const int stroke = static_cast<int>(i);
+        const double share = 0.5 / static_cast<double>(lines.size());
+        const std::vector<SurfaceCurve> pieces = projectStroke(surface,
+          ViewOfStroke(strokes, stroke),
+          lines[i].Samples,
+          lines[i].Closed,
+          tolerance,
+          ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
+        if (pieces.empty())
         {
-          ++this->ProjectionCount;
-          const std::vector<DrawnLine> lines = ReadStrokes(strokes);
-          RefuseEndless(lines);
-          const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
-          const double tolerance = this->Tolerance < 0.0 ? 6e-4 * surface.diagonal() : this->Tolerance;
-          std::vector<StrokeCurve> curves;
-          for (std::size_t i = 0; i < lines.size(); ++i)
-          {
-            const int stroke = static_cast<int>(i);
-            const double share = 0.5 / static_cast<double>(lines.size());
-            const std::vector<SurfaceCurve> pieces = projectStroke(surface,
-              ViewOfStroke(strokes, stroke),
-              lines[i].Samples,
-              lines[i].Closed,
-              tolerance,
-              ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
-            if (pieces.empty())
-            {
-              throw Error(Failure::BadStroke,
-                Message::unusable(
-                  "Stroke", stroke, "no two samples in succession lie on the mesh; draw it over the model."));
-            }
-            for (const SurfaceCurve& piece : pieces)
-            {
-              curves.push_back({ piece, stroke });
-            }
-          }
-          WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
-        });
+          throw Error(Failure::BadStroke,
+            Message::unusable(
+              "Stroke", stroke, "no two samples in succession lie on the mesh; draw it over the model."));
+        }
+        for (const SurfaceCurve& piece : pieces)
+        {
+          curves.push_back({ piece, stroke });
+        }
+      }
+      WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
     });
 }
 

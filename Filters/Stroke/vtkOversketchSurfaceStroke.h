@@ -47,15 +47,15 @@
 #define vtkOversketchSurfaceStroke_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
 #include <memory>
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSurfaceStroke : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSurfaceStroke : public vtkOversketchFilter
 {
 public:
   static vtkOversketchSurfaceStroke* New();
-  vtkTypeMacro(vtkOversketchSurfaceStroke, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchSurfaceStroke, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -94,7 +94,7 @@ protected:
   vtkOversketchSurfaceStroke();
   ~vtkOversketchSurfaceStroke() override;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchSurfaceStroke(const vtkOversketchSurfaceStroke&) = delete;

@@ -6,7 +6,6 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdList.h"
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkMath.h"
@@ -85,66 +84,56 @@ std::vector<double> RowMajor(const Eigen::Matrix4d& m)
 
 vtkStandardNewMacro(vtkOversketchViewStroke);
 
-int vtkOversketchViewStroke::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchViewStroke::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (input->GetNumberOfLines() == 0 || input->GetNumberOfCells() != input->GetNumberOfLines())
+  {
+    throw Error(Failure::BadStroke,
+      "The input holds %1 polylines and %2 other cells; give polylines alone.",
+      input->GetNumberOfLines(),
+      input->GetNumberOfCells() - input->GetNumberOfLines());
+  }
+  const int width = this->ViewSize[0];
+  const int height = this->ViewSize[1];
+  const View view(
+    LookAt(Vector3(this->CameraPosition), Vector3(this->CameraFocalPoint), Vector3(this->CameraViewUp)),
+    Projection(this->CameraParallelProjection,
+      this->CameraParallelScale,
+      this->CameraViewAngle,
+      width > 0 && height > 0 ? static_cast<double>(width) / height : 1.0),
+    width,
+    height);
+
+  vtkNew<vtkIdList> ids;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
+  {
+    input->GetLines()->GetCellAtId(line, ids);
+    lines->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
     {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      if (input->GetNumberOfLines() == 0 || input->GetNumberOfCells() != input->GetNumberOfLines())
+      Vector3 world;
+      input->GetPoint(ids->GetId(i), world.data());
+      if (!world.allFinite() || !view.inFront(world))
       {
         throw Error(Failure::BadStroke,
-          "The input holds %1 polylines and %2 other cells; give polylines alone.",
-          input->GetNumberOfLines(),
-          input->GetNumberOfCells() - input->GetNumberOfLines());
+          "Point %1 of the polyline is not finite, or not before the camera; draw it where the view "
+          "shows it.",
+          ids->GetId(i));
       }
-      const int width = this->ViewSize[0];
-      const int height = this->ViewSize[1];
-      const View view(
-        LookAt(Vector3(this->CameraPosition), Vector3(this->CameraFocalPoint), Vector3(this->CameraViewUp)),
-        Projection(this->CameraParallelProjection,
-          this->CameraParallelScale,
-          this->CameraViewAngle,
-          width > 0 && height > 0 ? static_cast<double>(width) / height : 1.0),
-        width,
-        height);
-
-      vtkNew<vtkIdList> ids;
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      vtkNew<vtkCellArray> lines;
-      for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
-      {
-        input->GetLines()->GetCellAtId(line, ids);
-        lines->InsertNextCell(static_cast<int>(ids->GetNumberOfIds()));
-        for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-        {
-          Vector3 world;
-          input->GetPoint(ids->GetId(i), world.data());
-          if (!world.allFinite() || !view.inFront(world))
-          {
-            throw Error(Failure::BadStroke,
-              "Point %1 of the polyline is not finite, or not before the camera; draw it where the view "
-              "shows it.",
-              ids->GetId(i));
-          }
-          const Vector3 display = view.toDisplay(world);
-          lines->InsertCellPoint(points->InsertNextPoint(display[0], display[1], 0.0));
-        }
-      }
-      output->SetPoints(points);
-      output->SetLines(lines);
-      AddCellArray<vtkDoubleArray>(output, "ViewTransform", RowMajor(view.viewTransform()));
-      AddCellArray<vtkDoubleArray>(output, "ProjectionTransform", RowMajor(view.projectionTransform()));
-      AddCellArray<vtkIntArray>(output, "ViewportSize", std::vector<int>{ width, height });
-    });
+      const Vector3 display = view.toDisplay(world);
+      lines->InsertCellPoint(points->InsertNextPoint(display[0], display[1], 0.0));
+    }
+  }
+  output->SetPoints(points);
+  output->SetLines(lines);
+  AddCellArray<vtkDoubleArray>(output, "ViewTransform", RowMajor(view.viewTransform()));
+  AddCellArray<vtkDoubleArray>(output, "ProjectionTransform", RowMajor(view.projectionTransform()));
+  AddCellArray<vtkIntArray>(output, "ViewportSize", std::vector<int>{ width, height });
 }
 
 void vtkOversketchViewStroke::PrintSelf(ostream& os, vtkIndent indent)

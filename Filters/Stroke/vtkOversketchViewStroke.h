@@ -25,13 +25,13 @@
 #define vtkOversketchViewStroke_h
 
 #include "OversketchFiltersStrokeModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchViewStroke : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchViewStroke : public vtkOversketchFilter
 {
 public:
   static vtkOversketchViewStroke* New();
-  vtkTypeMacro(vtkOversketchViewStroke, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchViewStroke, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -95,7 +95,7 @@ protected:
   vtkOversketchViewStroke() = default;
   ~vtkOversketchViewStroke() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchViewStroke(const vtkOversketchViewStroke&) = delete;

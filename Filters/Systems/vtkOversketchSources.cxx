@@ -157,10 +157,7 @@ Sources::Sources(vtkPolyData* changed)
 
 void AddPlaces(vtkPolyData* welded)
 {
-  vtkNew<vtkDoubleArray> places;
-  places->SetName("Place");
-  places->SetNumberOfComponents(3);
-  places->SetNumberOfTuples(welded->GetNumberOfPoints());
+  const auto places = NewArray<vtkDoubleArray>("Place", 3, welded->GetNumberOfPoints());
   for (vtkIdType i = 0; i < welded->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -181,15 +178,9 @@ void AddSources(vtkPolyData* welded, vtkPolyData* changed, const Context& contex
     RequireArray(changed->GetPointData(), "Place", 3, changed->GetNumberOfPoints(), "changed mesh", remedy);
   vtkDataArray* cells =
     RequireArray(changed->GetCellData(), "OriginalCell", 1, count, "changed mesh", remedy);
-  vtkNew<vtkIdTypeArray> sources;
-  sources->SetName("SourceCell");
-  sources->SetNumberOfComponents(3);
-  sources->SetNumberOfTuples(count);
-  vtkNew<vtkDoubleArray> weights;
-  weights->SetName("SourceWeights");
-  weights->SetNumberOfComponents(9);
-  weights->SetNumberOfTuples(count);
   vtkNew<vtkIdList> ids;
+  const auto sources = NewArray<vtkIdTypeArray>("SourceCell", 3, count);
+  const auto weights = NewArray<vtkDoubleArray>("SourceWeights", 9, count);
   for (vtkIdType f = 0; f < count; ++f)
   {
     if (f % 4096 == 0)

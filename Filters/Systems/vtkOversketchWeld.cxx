@@ -343,9 +343,7 @@ Weld::Weld(vtkPolyData* mesh)
     this->Geometry->SetPolys(mesh->GetPolys());
   }
   this->Data = SharedMesh(this->Geometry);
-  vtkNew<vtkIdTypeArray> cells;
-  cells->SetName("OriginalCell");
-  cells->SetNumberOfTuples(mesh->GetNumberOfPolys());
+  const auto cells = NewArray<vtkIdTypeArray>("OriginalCell", 1, mesh->GetNumberOfPolys());
   std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
   this->Geometry->GetCellData()->AddArray(cells);
   if (!welded)
@@ -371,11 +369,7 @@ Weld::Weld(vtkPolyData* mesh)
     findCharts(this->Data->Surface(), this->Data->Neighbours(), this->Corners, this->Classes);
   if (charts.count > 1)
   {
-    vtkNew<vtkIntArray> numbers;
-    numbers->SetName("Chart");
-    numbers->SetNumberOfTuples(static_cast<vtkIdType>(charts.of.size()));
-    std::copy(charts.of.begin(), charts.of.end(), numbers->GetPointer(0));
-    this->Geometry->GetCellData()->AddArray(numbers);
+    this->Geometry->GetCellData()->AddArray(ArrayOf<vtkIntArray>("Chart", charts.of));
   }
 }
 

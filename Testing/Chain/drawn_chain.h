@@ -11,7 +11,6 @@
 #include "evaluator.h"
 #include "files.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchStrokeView.h"
 #include "vtkOversketchSystem.h"
 
 #include <gtest/gtest.h>

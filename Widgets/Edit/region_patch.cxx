@@ -2,7 +2,7 @@
 
 #include "Mesh/context.h"
 #include "Ray/projection.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 

@@ -8,10 +8,9 @@
 #include "Matrix/operations.h"
 #include "Mesh/context.h"
 #include "Mesh/view.h"
-#include "vtkOversketchChains.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
-#include "vtkOversketchStrokeView.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"

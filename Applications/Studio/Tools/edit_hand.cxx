@@ -11,7 +11,7 @@
 #include "vtkOversketchAxisHandleRepresentation.h"
 #include "vtkOversketchAxisHandleWidget.h"
 #include "vtkOversketchEdit.h"
-#include "vtkOversketchEditRegion.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditRepresentation.h"
 #include "vtkOversketchEditWidget.h"
 #include "vtkOversketchLayerHandleRepresentation.h"

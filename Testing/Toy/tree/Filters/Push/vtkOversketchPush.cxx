@@ -54,38 +54,28 @@ int vtkOversketchPush::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
-int vtkOversketchPush::RequestData(vtkInformation*,
-  vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+void vtkOversketchPush::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return RunFilter(this,
-    [&]
-    {
-      vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* first = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (input->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
-      const Mesh mesh = MeshOf(input);
-      const double length = (this->Sense == Out ? 1.0 : -1.0) * this->Length * boundingDiagonal(mesh);
-      const std::vector<Vector3> moved = pushBetween(mesh,
-        ViewOf(first),
-        StrokeOf(first),
-        StrokeOf(vtkPolyData::GetData(inputs[2])),
-        brightnessOf(vtkImageData::GetData(inputs[3])),
-        length,
-        ContextOf(this));
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      for (const Vector3& p : moved)
-      {
-        points->InsertNextPoint(p.data());
-      }
-      output->ShallowCopy(input);
-      output->SetPoints(points);
-    });
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* first = vtkPolyData::GetData(inputs[1]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const Mesh mesh = MeshOf(input);
+  const double length = (this->Sense == Out ? 1.0 : -1.0) * this->Length * boundingDiagonal(mesh);
+  const std::vector<Vector3> moved = pushBetween(mesh,
+    ViewOf(first),
+    StrokeOf(first),
+    StrokeOf(vtkPolyData::GetData(inputs[2])),
+    brightnessOf(vtkImageData::GetData(inputs[3])),
+    length,
+    ContextOf(this));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Vector3& p : moved)
+  {
+    points->InsertNextPoint(p.data());
+  }
+  output->ShallowCopy(input);
+  output->SetPoints(points);
 }
 
 void vtkOversketchPush::PrintSelf(ostream& os, vtkIndent indent)

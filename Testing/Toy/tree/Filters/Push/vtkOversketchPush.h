@@ -24,13 +24,13 @@
 #define vtkOversketchPush_h
 
 #include "OversketchFiltersPushModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-class OVERSKETCHFILTERSPUSH_EXPORT vtkOversketchPush : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPUSH_EXPORT vtkOversketchPush : public vtkOversketchFilter
 {
 public:
   static vtkOversketchPush* New();
-  vtkTypeMacro(vtkOversketchPush, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchPush, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum SenseType
@@ -63,7 +63,7 @@ protected:
   ~vtkOversketchPush() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkOversketchPush(const vtkOversketchPush&) = delete;

@@ -1,9 +1,10 @@
 /**
- * Curves that run along the edges of a mesh: polylines with point array VertexId, the vertex that each point
- * is. Free functions, for use in the .cxx of filters; not wrapped.
+ * What the steps of an edit hand on as arrays: curves that run along the edges of a mesh, polylines with
+ * point array VertexId, the vertex that each point is; and the region, point array EditRegion of a mesh, as
+ * vtkOversketchEnclose writes it. Free functions, for use in the .cxx of filters; not wrapped.
  */
-#ifndef vtkOversketchChains_h
-#define vtkOversketchChains_h
+#ifndef vtkOversketchEditArrays_h
+#define vtkOversketchEditArrays_h
 
 #include "OversketchFiltersCoreModule.h" // For export macro
 
@@ -59,6 +60,28 @@ OVERSKETCHFILTERSCORE_EXPORT std::vector<int> VerticesOnce(Chain chain);
  * What ReadChains reads.
  */
 OVERSKETCHFILTERSCORE_EXPORT MeshKey ChainsKey(vtkPolyData* curves);
+
+/**
+ * What EditRegion says of a vertex.
+ */
+struct EditLabel
+{
+  static constexpr char Outside = 0;
+  static constexpr char Rim = 1;    // on the boundary, or of the ring of triangles round it
+  static constexpr char Inside = 2; // strictly within the boundary
+};
+
+/**
+ * The label of each vertex. Throws Error(MissingArray) without the array, Error(BadRegion) naming the vertex
+ * for a value that is not one of these.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<char> ReadEditRegion(vtkPolyData* mesh);
+
+/**
+ * The vertices strictly inside, ascending. Throws what ReadEditRegion does, and Error(BadRegion) where there
+ * is none.
+ */
+OVERSKETCHFILTERSCORE_EXPORT std::vector<int> ReadInside(vtkPolyData* mesh);
 
 } // namespace oversketch
 #endif

@@ -1,7 +1,9 @@
-// What was made of a polydata, found again as long as somebody holds it, for the filters of this module. Not
-// installed.
-#ifndef vtkOversketchStellarRegister_h
-#define vtkOversketchStellarRegister_h
+/**
+ * What was made of a polydata, found again as long as somebody holds it. For use in the .cxx of filters; not
+ * wrapped.
+ */
+#ifndef vtkOversketchRegister_h
+#define vtkOversketchRegister_h
 
 #include "vtkOversketchFilterTools.h"
 
@@ -14,12 +16,14 @@
 namespace oversketch
 {
 
-// Callable from any thread.
-template <class Thing>
+/**
+ * Weak pointers only: memory goes with the last holder. Callable from any thread.
+ */
+template <class Thing, class Key = MeshKey>
 class Register
 {
 public:
-  std::shared_ptr<const Thing> Find(const MeshKey& key)
+  std::shared_ptr<const Thing> Find(const Key& key)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     for (const auto& [known, thing] : this->Entries)
@@ -32,7 +36,7 @@ public:
     }
     return nullptr;
   }
-  void Add(const MeshKey& key, const std::shared_ptr<const Thing>& thing)
+  void Add(const Key& key, const std::shared_ptr<const Thing>& thing)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Entries.erase(
@@ -42,8 +46,10 @@ public:
     this->Entries.emplace_back(key, thing);
   }
 
-  // A thing that nobody else holds, for its last holder to change: it is no longer found. Null, and the
-  // holder keeps it, where somebody does.
+  /**
+   * A thing that nobody else holds, for its last holder to change: it is no longer found. Null, and the
+   * holder keeps it, where somebody does.
+   */
   std::shared_ptr<Thing> Take(std::shared_ptr<const Thing>& thing)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -63,7 +69,7 @@ public:
 
 private:
   std::mutex Mutex;
-  std::vector<std::pair<MeshKey, std::weak_ptr<const Thing>>> Entries;
+  std::vector<std::pair<Key, std::weak_ptr<const Thing>>> Entries;
 };
 
 } // namespace oversketch
