@@ -215,14 +215,8 @@ void keepClearOf(const std::vector<StrokeLine>& lines, const Frame& frame, Rows&
              found->second.end(),
              [&](const NearestPlace& nearest) { return nearest(Vector2(c.x, c.y), limit).distance < limit; });
   };
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
-    {
-      for (int y = begin; y < end && !context.cancelled(); ++y)
-      {
-        rows[y].erase(std::remove_if(rows[y].begin(), rows[y].end(), isNear), rows[y].end());
-      }
-    });
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int y) { rows[y].erase(std::remove_if(rows[y].begin(), rows[y].end(), isNear), rows[y].end()); });
   context.checkpoint(0.3);
 }
 

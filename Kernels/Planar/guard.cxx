@@ -83,14 +83,7 @@ std::vector<int> invertedAt(const PlaceOf& placeOf,
 {
   const int count = static_cast<int>(all.size());
   std::vector<char> inverted(all.size());
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int f = begin; f < end; ++f)
-      {
-        inverted[f] = isInvertedAt(placeOf, all[f], least);
-      }
-    });
+  context.each(count, [&](int f) { inverted[f] = isInvertedAt(placeOf, all[f], least); });
   std::vector<int> faces;
   for (int f = 0; f < count; ++f)
   {

@@ -49,14 +49,7 @@ struct Level
   template <typename What>
   void forEach(int count, const What& what) const
   {
-    this->context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          what(i);
-        }
-      });
+    this->context.each(count, [&](int i) { what(i); });
   }
 };
 

@@ -188,16 +188,13 @@ void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& contex
   maps.skeleton.assign(frame.count(), 0);
   maps.uphill.assign(frame.count(), -1);
   const std::vector<std::array<int, 2>> spans = insides(distance, frame);
-  context.parallelFor(frame.height,
-    [&](int begin, int end)
+  context.eachUntilCancelled(frame.height,
+    [&](int y)
     {
-      for (int y = begin; y < end && !context.cancelled(); ++y)
-      {
-        const auto [from, to] = spans[y];
-        const std::size_t at = frame.index(from, y);
-        const Row row{ maps.thickness.data() + at, maps.skeleton.data() + at, maps.uphill.data() + at };
-        climb(distance.data() + at, to - from, frame.width, static_cast<int>(at), row);
-      }
+      const auto [from, to] = spans[y];
+      const std::size_t at = frame.index(from, y);
+      const Row row{ maps.thickness.data() + at, maps.skeleton.data() + at, maps.uphill.data() + at };
+      climb(distance.data() + at, to - from, frame.width, static_cast<int>(at), row);
     });
   context.checkpoint(0.6);
   if (mode == ThicknessMode::Global)

@@ -169,15 +169,12 @@ ChainDistances distancesTo(const Mesh& mesh,
   ChainDistances result;
   result.distance.resize(mesh.points.size());
   result.place.resize(mesh.points.size());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.eachUntilCancelled(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
-      {
-        const NearestOnCurve nearest = search.nearest(0, mesh.points[v]);
-        result.distance[v] = nearest.distance;
-        result.place[v] = nearest.parameter;
-      }
+      const NearestOnCurve nearest = search.nearest(0, mesh.points[v]);
+      result.distance[v] = nearest.distance;
+      result.place[v] = nearest.parameter;
     });
   context.checkpoint(0.0);
   for (std::size_t i = 0; i < chain.size(); ++i)

@@ -62,16 +62,13 @@ int partCount(const Mesh& mesh);
 template <typename Visit>
 void eachTriangle(const Mesh& mesh, const Context& context, const Visit& visit)
 {
-  context.parallelFor(partCount(mesh),
-    [&](int begin, int end)
+  context.each(partCount(mesh),
+    [&](int part)
     {
-      for (int part = begin; part < end; ++part)
+      const int last = std::min((part + 1) * trianglesOfPart, mesh.triangleCount());
+      for (int t = part * trianglesOfPart; t < last; ++t)
       {
-        const int last = std::min((part + 1) * trianglesOfPart, mesh.triangleCount());
-        for (int t = part * trianglesOfPart; t < last; ++t)
-        {
-          visit(part, mesh.triangles[t]);
-        }
+        visit(part, mesh.triangles[t]);
       }
     });
 }

@@ -74,14 +74,7 @@ void measureTriangles(const Mesh& before,
   StrokeEffect& effect)
 {
   std::vector<double> areas(before.triangles.size());
-  context.parallelFor(before.triangleCount(),
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
-      {
-        areas[t] = areaOf(before, before.triangles[t]);
-      }
-    });
+  context.each(before.triangleCount(), [&](int t) { areas[t] = areaOf(before, before.triangles[t]); });
   double all = 0.0, moved = 0.0;
   std::vector<double> ratios;
   for (int i = 0; i < before.triangleCount(); ++i)
@@ -233,22 +226,19 @@ void measureMovement(const Mesh& before,
     double movement = 0.0, distance = 0.0; // px; from the hull
   };
   std::vector<Step> steps(before.points.size());
-  context.parallelFor(before.vertexCount(),
-    [&](int begin, int end)
+  context.each(before.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
       {
-        if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
-        {
-          continue;
-        }
-        const Vector2 was = view.toDisplay(before.points[v]).head<2>();
-        const Vector2 is = view.toDisplay(after.points[v]).head<2>();
-        constexpr double seen = 2.5; // px
-        steps[v].movement = (is - was).norm();
-        steps[v].distance =
-          steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
+        return;
       }
+      const Vector2 was = view.toDisplay(before.points[v]).head<2>();
+      const Vector2 is = view.toDisplay(after.points[v]).head<2>();
+      constexpr double seen = 2.5; // px
+      steps[v].movement = (is - was).norm();
+      steps[v].distance =
+        steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
     });
   for (const Step& step : steps)
   {

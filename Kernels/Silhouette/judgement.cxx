@@ -115,14 +115,8 @@ int foldedEdges(const Mesh& mesh,
   }
   const double limit = std::cos(100.0 * M_PI / 180.0);
   std::vector<char> folded(pairs.size(), 0);
-  context.parallelFor(static_cast<int>(pairs.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit;
-      }
-    });
+  context.each(static_cast<int>(pairs.size()),
+    [&](int i) { folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit; });
   return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 

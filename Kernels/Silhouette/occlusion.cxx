@@ -213,19 +213,16 @@ std::vector<Vector3> projectVertices(const Mesh& mesh, const View& view, const C
 {
   std::vector<Vector3> screen(mesh.points.size());
   const double nearest = -1e-6 * boundingDiagonal(mesh);
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (view.perspective() && !(view.depth(mesh.points[v]) < nearest))
       {
-        if (view.perspective() && !(view.depth(mesh.points[v]) < nearest))
-        {
-          screen[v] = Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity());
-        }
-        else
-        {
-          screen[v] = view.toScreen(mesh.points[v]);
-        }
+        screen[v] = Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity());
+      }
+      else
+      {
+        screen[v] = view.toScreen(mesh.points[v]);
       }
     });
   return screen;
@@ -245,14 +242,11 @@ std::vector<char> occludedOnHost(const Mesh& mesh,
   const QueryCounts<Real> counts(grid);
   std::vector<Point<Real>> points(screen.size());
   std::vector<Cell> cells(screen.size());
-  context.parallelFor(static_cast<int>(screen.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(screen.size()),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        points[v] = toPoint<Real>(screen[v]);
-        cells[v] = { grid.column(points[v].x), grid.row(points[v].y) };
-      }
+      points[v] = toPoint<Real>(screen[v]);
+      cells[v] = { grid.column(points[v].x), grid.row(points[v].y) };
     });
   // Several threads may hide one point: all of them write 1, so who comes first does not matter.
   std::vector<std::atomic<char>> hidden(queries.size());

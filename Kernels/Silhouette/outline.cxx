@@ -132,14 +132,7 @@ private:
     };
     const int count = static_cast<int>(picture.triangles.size());
     std::vector<char> keep(picture.triangles.size(), 0);
-    context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int t = begin; t < end; ++t)
-        {
-          keep[t] = chosen(picture.triangles[t]);
-        }
-      });
+    context.each(count, [&](int t) { keep[t] = chosen(picture.triangles[t]); });
     std::vector<Triangle> triangles;
     for (int t = 0; t < count; ++t)
     {

@@ -518,14 +518,11 @@ std::vector<Curve> smoothed(const std::vector<Curve>& curves,
     order.end(),
     [&](int a, int b) { return curves[a].points.size() > curves[b].points.size(); });
   std::atomic<int> taken{ 0 };
-  context.parallelFor(static_cast<int>(curves.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(curves.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
-      {
-        const int curve = order[taken++];
-        done[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
-      }
+      const int curve = order[taken++];
+      done[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
     });
   context.checkpoint(1.0);
   done.erase(
