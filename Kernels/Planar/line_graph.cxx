@@ -33,8 +33,7 @@ LineGraph::LineGraph(const std::vector<GridPlace>& places, const std::vector<Pla
       this->Edges.push_back({ std::min(from, to), std::max(from, to) });
     }
   }
-  std::sort(this->Edges.begin(), this->Edges.end());
-  this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+  sortUnique(this->Edges);
   this->Gone.assign(this->Edges.size(), 0);
   for (int e = 0; e < this->edgeCount(); ++e)
   {

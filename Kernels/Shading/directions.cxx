@@ -32,14 +32,13 @@ Directions::Directions(const Mesh& mesh, const Adjacency& adjacency, const Conte
 
 double Directions::toward(int vertex, int neighbour) const
 {
-  for (const int* t = this->Links.vertexTriangles.begin(vertex); t != this->Links.vertexTriangles.end(vertex);
-       ++t)
+  for (const int t : this->Links.vertexTriangles[vertex])
   {
-    const int k = this->corner(*t, vertex);
-    const Triangle& c = this->Surface.triangles[*t];
+    const int k = this->corner(t, vertex);
+    const Triangle& c = this->Surface.triangles[t];
     if (c[(k + 1) % 3] == neighbour || c[(k + 2) % 3] == neighbour)
     {
-      return c[(k + 1) % 3] == neighbour ? this->next(*t, k) : this->previous(*t, k);
+      return c[(k + 1) % 3] == neighbour ? this->next(t, k) : this->previous(t, k);
     }
   }
   return 0.0;

@@ -81,9 +81,9 @@ void smoothField(const Mesh& patch,
   {
     const int v = free[i];
     double sum = mass[v] * field[v];
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      sum += held[*n] ? flow[adjacency.findEdge(v, *n)] * field[*n] : 0.0;
+      sum += held[n] ? flow[adjacency.findEdge(v, n)] * field[n] : 0.0;
     }
     side(static_cast<Eigen::Index>(i), 0) = sum;
   }
@@ -104,11 +104,10 @@ void smoothField(const Mesh& patch,
 std::vector<std::pair<int, double>> anglesRound(const Mesh& mesh, const Adjacency& adjacency, int vertex)
 {
   std::vector<std::array<int, 2>> steps; // from a neighbour to the next
-  for (const int* t = adjacency.vertexTriangles.begin(vertex); t != adjacency.vertexTriangles.end(vertex);
-       ++t)
+  for (const int t : adjacency.vertexTriangles[vertex])
   {
-    const Triangle& c = mesh.triangles[*t];
-    const int k = static_cast<int>(std::find(c.begin(), c.end(), vertex) - c.begin());
+    const Triangle& c = mesh.triangles[t];
+    const int k = cornerOf(c, vertex);
     steps.push_back({ c[(k + 1) % 3], c[(k + 2) % 3] });
   }
   std::vector<std::pair<int, double>> round;

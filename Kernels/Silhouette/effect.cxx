@@ -61,12 +61,6 @@ double distanceToHull(const Vector2& p, const Polyline& hull)
   return inside ? 0.0 : nearest;
 }
 
-double areaOf(const Mesh& mesh, const Triangle& t)
-{
-  const Vector3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-  return 0.5 * (b - a).cross(c - a).norm();
-}
-
 void measureTriangles(const Mesh& before,
   const Mesh& after,
   const std::vector<char>& region,
@@ -74,7 +68,7 @@ void measureTriangles(const Mesh& before,
   StrokeEffect& effect)
 {
   std::vector<double> areas(before.triangles.size());
-  context.each(before.triangleCount(), [&](int t) { areas[t] = areaOf(before, before.triangles[t]); });
+  context.each(before.triangleCount(), [&](int t) { areas[t] = facetArea(before, t); });
   double all = 0.0, moved = 0.0;
   std::vector<double> ratios;
   for (int i = 0; i < before.triangleCount(); ++i)

@@ -124,11 +124,11 @@ private:
     {
       for (const int v : this->verticesOf(h))
       {
-        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        for (const int n : neighbours[v])
         {
-          if (handleAt[*n] >= 0)
+          if (handleAt[n] >= 0)
           {
-            this->join(h, handleAt[*n]);
+            this->join(h, handleAt[n]);
           }
         }
       }
@@ -177,9 +177,9 @@ private:
       const SectionPoint& q = this->pointOf(h);
       for (const int v : q.binding.vertices)
       {
-        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        for (const int n : neighbours[v])
         {
-          this->Edge += (this->Model.points[*n] - this->Model.points[v]).norm();
+          this->Edge += (this->Model.points[n] - this->Model.points[v]).norm();
           ++edges;
         }
       }
