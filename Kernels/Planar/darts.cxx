@@ -137,19 +137,8 @@ Rows farFromRims(const DistanceMaps& maps,
   DartMode mode,
   const Context& context)
 {
-  std::vector<double> greatest; // T, of each object
-  if (mode == DartMode::Published)
-  {
-    for (std::size_t i = 0; i < maps.object.size(); ++i)
-    {
-      if (maps.object[i] >= 0)
-      {
-        greatest.resize(std::max<std::size_t>(greatest.size(), maps.object[i] + 1), 0.0);
-        greatest[maps.object[i]] = std::max<double>(greatest[maps.object[i]], maps.distance[i]);
-      }
-    }
-  }
   const bool local = mode == DartMode::Local;
+  const std::vector<float> greatest = local ? std::vector<float>() : greatestDistances(maps);
   std::vector<Bound> bounds;
   if (local)
   {

@@ -8,15 +8,14 @@
 namespace oversketch
 {
 
-// Of each region: 1 where its stroke is a hole. What lies in one and is none is an island.
-std::vector<char> regionsInHoles(const Classification& classification,
-  const std::vector<Treatment>& treatments);
-
 // Source: image-assisted modelling, section 14: the mesh without the faces of the regions that are `gone`, by
 // the region that they inherited; points and edges of strokes that no face has then are left out, the others
 // keep their order. Points between what is left and what is gone are of kind Hole. Throws
 // Error(Failure::BadMesh), naming it, for a face of a region that there is not.
 PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone);
+
+// Leaves out points that no face has, and edges of strokes that are not kept; numbers them anew.
+void compact(PlanarMesh& mesh, const std::vector<char>& keptEdges);
 
 } // namespace oversketch
 #endif
