@@ -115,11 +115,6 @@ private:
 
 } // namespace
 
-int partCount(const Mesh& mesh)
-{
-  return (mesh.triangleCount() + trianglesOfPart - 1) / trianglesOfPart;
-}
-
 PicturePoints::PicturePoints(const Mesh& mesh, const View& view, const Context& context)
   : points(mesh.points.size(), Vector2::Zero())
   , nearness(mesh.points.size(), 1.0)

@@ -56,7 +56,10 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& 
 constexpr int trianglesOfPart = 8192;
 
 // Threads take parts of a mesh's triangles: how many there are.
-int partCount(const Mesh& mesh);
+inline int partCount(const Mesh& mesh)
+{
+  return (mesh.triangleCount() + trianglesOfPart - 1) / trianglesOfPart;
+}
 
 // Calls visit(part, triangle) for all triangles of the mesh, those of a part in their order.
 template <typename Visit>

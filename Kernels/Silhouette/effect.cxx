@@ -124,12 +124,7 @@ double backAlong(std::vector<OutlineLoop> loops,
   const std::vector<OutlineLoop>& further)
 {
   loops.insert(loops.end(), further.begin(), further.end());
-  std::vector<NearestPlace> places;
-  places.reserve(loops.size());
-  for (const OutlineLoop& loop : loops)
-  {
-    places.emplace_back(loop.points, loop.closed);
-  }
+  const std::vector<NearestPlace> places = nearestPlaces(loops);
   const std::vector<double> length = arcLengths(stroke);
   // Of each loop the place nearest to one of the stroke; none where another loop comes 2 px nearer.
   const auto nearestTo = [&](double share)
