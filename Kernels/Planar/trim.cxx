@@ -9,31 +9,7 @@ namespace oversketch
 
 void compact(PlanarMesh& mesh, const std::vector<char>& keptEdges)
 {
-  std::vector<int> numbers(mesh.points.size(), -1);
-  for (const PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      numbers[face.corners[k]] = 0;
-    }
-  }
-  int count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] == 0)
-    {
-      mesh.points[count] = mesh.points[i];
-      numbers[i] = count++;
-    }
-  }
-  mesh.points.resize(count);
-  for (PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      face.corners[k] = numbers[face.corners[k]];
-    }
-  }
+  const std::vector<int> numbers = dropUnusedPoints(mesh);
   std::vector<StrokeEdge> edges;
   for (std::size_t i = 0; i < mesh.edges.size(); ++i)
   {

@@ -23,10 +23,7 @@ FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool close
 {
   FeatureCurve curve;
   curve.closed = closed;
-  for (const int v : chain)
-  {
-    curve.points.push_back(mesh.points[v]);
-  }
+  curve.points = valuesAt(mesh.points, chain);
   curve.measure();
   return curve;
 }
@@ -254,13 +251,11 @@ std::vector<signed char> chainSides(const Mesh& mesh,
     }
     done[way.vertex] = 1;
     side[way.vertex] = way.side;
-    for (const int* n = adjacency.vertexVertices.begin(way.vertex);
-         n != adjacency.vertexVertices.end(way.vertex);
-         ++n)
+    for (const int n : adjacency.vertexVertices[way.vertex])
     {
-      if (!done[*n])
+      if (!done[n])
       {
-        queue.push({ way.length + (mesh.points[*n] - mesh.points[way.vertex]).norm(), *n, way.side });
+        queue.push({ way.length + (mesh.points[n] - mesh.points[way.vertex]).norm(), n, way.side });
       }
     }
   }
