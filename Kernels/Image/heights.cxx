@@ -85,15 +85,12 @@ FilledSamples fillNarrowGaps(HeightImage& image, const Context& context)
 {
   const auto rows = [&](const auto& work) // of each sample
   {
-    context.parallelFor(image.height,
-      [&](int begin, int end)
+    context.eachUntilCancelled(image.height,
+      [&](int j)
       {
-        for (int j = begin; j < end && !context.cancelled(); ++j)
+        for (int i = 0; i < image.width; ++i)
         {
-          for (int i = 0; i < image.width; ++i)
-          {
-            work(i, j, static_cast<std::size_t>(j) * image.width + i);
-          }
+          work(i, j, static_cast<std::size_t>(j) * image.width + i);
         }
       });
   };
@@ -218,24 +215,21 @@ double Terrain::heightAt(double x, double y) const
 std::vector<char> Terrain::completeQuads(const Context& context) const
 {
   std::vector<char> complete(static_cast<std::size_t>(this->Columns) * this->Rows, 1);
-  context.parallelFor(this->Rows,
-    [&](int begin, int end)
+  context.eachUntilCancelled(this->Rows,
+    [&](int j)
     {
-      for (int j = begin; j < end && !context.cancelled(); ++j)
+      const int low = static_cast<int>(this->row(j)), high = static_cast<int>(std::ceil(this->row(j + 1)));
+      for (int i = 0; i < this->Columns; ++i)
       {
-        const int low = static_cast<int>(this->row(j)), high = static_cast<int>(std::ceil(this->row(j + 1)));
-        for (int i = 0; i < this->Columns; ++i)
+        const int left = static_cast<int>(this->column(i));
+        const int right = static_cast<int>(std::ceil(this->column(i + 1)));
+        char& whole = complete[static_cast<std::size_t>(j) * this->Columns + i];
+        for (int v = low; v <= std::min(high, this->Image.height - 1) && whole; ++v)
         {
-          const int left = static_cast<int>(this->column(i));
-          const int right = static_cast<int>(std::ceil(this->column(i + 1)));
-          char& whole = complete[static_cast<std::size_t>(j) * this->Columns + i];
-          for (int v = low; v <= std::min(high, this->Image.height - 1) && whole; ++v)
-          {
-            const double* line = this->Image.samples.data() + static_cast<std::size_t>(v) * this->Image.width;
-            whole = std::all_of(line + left,
-              line + std::min(right, this->Image.width - 1) + 1,
-              [](double gray) { return std::isfinite(gray); });
-          }
+          const double* line = this->Image.samples.data() + static_cast<std::size_t>(v) * this->Image.width;
+          whole = std::all_of(line + left,
+            line + std::min(right, this->Image.width - 1) + 1,
+            [](double gray) { return std::isfinite(gray); });
         }
       }
     });

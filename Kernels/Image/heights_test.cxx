@@ -57,8 +57,8 @@ void expectManifold(const Mesh& mesh)
   for (int v = 0; v < mesh.vertexCount(); ++v)
   {
     int open = 0;
-    for (const int* w = adjacency.vertexVertices.begin(v); w != adjacency.vertexVertices.end(v); ++w)
-      open += adjacency.edges[adjacency.findEdge(v, *w)].triangleCount == 1;
+    for (const int w : adjacency.vertexVertices[v])
+      open += adjacency.edges[adjacency.findEdge(v, w)].triangleCount == 1;
     EXPECT_GT(adjacency.vertexTriangles.size(v), 0) << "a vertex without a quad";
     EXPECT_LE(open, 2) << "two fans at vertex " << v;
   }

@@ -74,17 +74,14 @@ std::vector<float> sectionSquares(const DistanceMaps& maps,
   const Context& context)
 {
   std::vector<float> squares(maps.frame.count(), 0.0f);
-  context.parallelFor(static_cast<int>(squares.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(squares.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      if (maps.distance[i] > 0.0f)
       {
-        if (maps.distance[i] > 0.0f)
-        {
-          const double whole = thickness[i];
-          const double height = whole * section(std::min<double>(maps.distance[i], whole) / whole);
-          squares[i] = static_cast<float>(height * height);
-        }
+        const double whole = thickness[i];
+        const double height = whole * section(std::min<double>(maps.distance[i], whole) / whole);
+        squares[i] = static_cast<float>(height * height);
       }
     });
   return squares;
@@ -258,18 +255,15 @@ std::vector<double> heightsOf(const PlanarMesh& mesh,
   const MapReader reader(maps);
   const std::vector<int> objects = objectsOf(mesh);
   std::vector<double> heights(mesh.points.size(), 0.0);
-  context.parallelFor(static_cast<int>(heights.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(heights.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      if (isRim(mesh.points[i].kind))
       {
-        if (isRim(mesh.points[i].kind))
-        {
-          continue;
-        }
-        const Vector2 at = frame.toPixels(mesh.points[i].place);
-        heights[i] = frame.spacing * factor * reader.height(at, objects[i], section);
+        return;
       }
+      const Vector2 at = frame.toPixels(mesh.points[i].place);
+      heights[i] = frame.spacing * factor * reader.height(at, objects[i], section);
     });
   context.checkpoint(1.0);
   return heights;

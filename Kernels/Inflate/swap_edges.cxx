@@ -67,14 +67,8 @@ public:
   {
     this->Sides = sidesOf(this->Mesh);
     std::vector<char> swaps(this->Sides.size(), 0);
-    context.parallelFor(static_cast<int>(swaps.size()),
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          swaps[i] = this->isShared(i) && this->gains(this->around(i));
-        }
-      });
+    context.each(static_cast<int>(swaps.size()),
+      [&](int i) { swaps[i] = this->isShared(i) && this->gains(this->around(i)); });
     context.checkpoint(1.0);
     std::vector<char> changed(this->Mesh.faces.size(), 0), ended(this->Mesh.points.size(), 0);
     int count = 0;

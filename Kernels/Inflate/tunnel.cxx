@@ -97,36 +97,6 @@ std::vector<BorderEdge> frontOf(const Solid& solid,
   return front;
 }
 
-// Takes out the points that no face has.
-void compact(Solid& solid)
-{
-  std::vector<int> numbers(solid.points.size(), -1);
-  for (const SolidFace& face : solid.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      numbers[face.corners[k]] = 0;
-    }
-  }
-  int count = 0;
-  for (std::size_t i = 0; i < solid.points.size(); ++i)
-  {
-    if (numbers[i] == 0)
-    {
-      numbers[i] = count;
-      solid.points[count++] = solid.points[i];
-    }
-  }
-  solid.points.resize(count);
-  for (SolidFace& face : solid.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      face.corners[k] = numbers[face.corners[k]];
-    }
-  }
-}
-
 } // namespace
 
 std::vector<char> regionsInTunnels(const Classification& classification,
@@ -171,7 +141,7 @@ Solid tunnel(const Solid& solid, const std::vector<char>& removed, bool wall)
     }
     addWall(result, front, twins, edgesBetweenBasePoints(front, isBase));
   }
-  compact(result);
+  dropUnusedPoints(result);
   return result;
 }
 

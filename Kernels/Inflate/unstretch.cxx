@@ -94,29 +94,26 @@ Rows rowsOf(const PlanarMesh& mesh, const HeightMaps& maps, const Context& conte
     std::vector<double>(count, 0.0),
     std::vector<double>(count, 0.0),
     std::vector<std::vector<int>>(count) };
-  context.parallelFor(static_cast<int>(count),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(count),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      const PlanarPoint& point = mesh.points[i];
+      if (point.kind != BoundaryKind::Interior)
       {
-        const PlanarPoint& point = mesh.points[i];
-        if (point.kind != BoundaryKind::Interior)
-        {
-          continue;
-        }
-        const Vector2 at = frame.toPixels(point.place);
-        const double whole = reader.inner(maps.thickness, at, objects[i]);
-        const double distance = std::min(reader.distance(at), whole);
-        const Vector2 slope = reader.slope(at);
-        rows.before[i] = whole > 0.0 ? distance / whole : 1.0;
-        // On a ridge T has no direction.
-        if (!(distance > 0.0) || !(slope.norm() > 0.5))
-        {
-          continue;
-        }
-        rows.need[i] = std::clamp((lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine), 0.0, 1.0);
-        rows.inward[i] = frame.spacing * whole * slope.normalized();
+        return;
       }
+      const Vector2 at = frame.toPixels(point.place);
+      const double whole = reader.inner(maps.thickness, at, objects[i]);
+      const double distance = std::min(reader.distance(at), whole);
+      const Vector2 slope = reader.slope(at);
+      rows.before[i] = whole > 0.0 ? distance / whole : 1.0;
+      // On a ridge T has no direction.
+      if (!(distance > 0.0) || !(slope.norm() > 0.5))
+      {
+        return;
+      }
+      rows.need[i] = std::clamp((lengths[i] / (frame.spacing * whole) - fine) / (coarse - fine), 0.0, 1.0);
+      rows.inward[i] = frame.spacing * whole * slope.normalized();
     });
   context.checkpoint(0.3);
 
@@ -174,24 +171,21 @@ struct Angles
 Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const Context& context)
 {
   std::vector<double> least(mesh.faces.size());
-  context.parallelFor(static_cast<int>(least.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(least.size()),
+    [&](int f)
     {
-      for (int f = begin; f < end; ++f)
+      const PlanarFace& face = mesh.faces[f];
+      const auto at = [&](int k) -> Vector2
       {
-        const PlanarFace& face = mesh.faces[f];
-        const auto at = [&](int k) -> Vector2
-        {
-          const int corner = face.corners[k % face.count()];
-          return mesh.points[corner].place + moves[corner];
-        };
-        least[f] = halfPi;
-        for (int k = 0; k < face.count(); ++k)
-        {
-          // Of a quad those that its diagonals cut off.
-          const Vector2 a = at(k);
-          least[f] = std::min(least[f], turnAngle(at(k + 1) - a, at(k + 2) - a));
-        }
+        const int corner = face.corners[k % face.count()];
+        return mesh.points[corner].place + moves[corner];
+      };
+      least[f] = halfPi;
+      for (int k = 0; k < face.count(); ++k)
+      {
+        // Of a quad those that its diagonals cut off.
+        const Vector2 a = at(k);
+        least[f] = std::min(least[f], turnAngle(at(k + 1) - a, at(k + 2) - a));
       }
     });
   const auto nth = [&](std::size_t n)

@@ -258,32 +258,29 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
   context.checkpoint(0.2);
   // Each pair is met once, from the leaf of the one that comes first.
   std::vector<std::vector<FacePair>> found(tree.nodes().size());
-  context.parallelFor(static_cast<int>(tree.nodes().size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(tree.nodes().size()),
+    [&](int n)
     {
-      for (int n = begin; n < end && !context.cancelled(); ++n)
+      const FaceTree::Node& leaf = tree.nodes()[n];
+      if (leaf.second >= 0)
       {
-        const FaceTree::Node& leaf = tree.nodes()[n];
-        if (leaf.second >= 0)
+        return;
+      }
+      const auto visit = [&](const FaceTree::Node& other)
+      {
+        for (int i = leaf.begin; i < leaf.end; ++i)
         {
-          continue;
-        }
-        const auto visit = [&](const FaceTree::Node& other)
-        {
-          for (int i = leaf.begin; i < leaf.end; ++i)
+          for (int k = std::max(i + 1, other.begin); k < other.end; ++k)
           {
-            for (int k = std::max(i + 1, other.begin); k < other.end; ++k)
+            const Face &a = faces[i], &b = faces[k];
+            if ((a.changed || b.changed) && meet(a.box, b.box) && cross(mesh, a, b))
             {
-              const Face &a = faces[i], &b = faces[k];
-              if ((a.changed || b.changed) && meet(a.box, b.box) && cross(mesh, a, b))
-              {
-                found[n].push_back({ std::min(a.id, b.id), std::max(a.id, b.id) });
-              }
+              found[n].push_back({ std::min(a.id, b.id), std::max(a.id, b.id) });
             }
           }
-        };
-        tree.leavesAt(leaf, visit);
-      }
+        }
+      };
+      tree.leavesAt(leaf, visit);
     });
   context.checkpoint(1.0);
   std::vector<FacePair> pairs;

@@ -50,11 +50,7 @@ private:
     std::vector<double> strokeLength(graph.edgeCount(), 0.0); // of an edge's longest stroke
     for (const PlacePath& path : this->Paths)
     {
-      double length = 0.0;
-      for (int i = 0; i < path.segments(); ++i)
-      {
-        length += apart(this->Places[path.from(i)], this->Places[path.to(i)]);
-      }
+      const double length = path.length(this->Places);
       for (int i = 0; i < path.segments(); ++i)
       {
         const int edge = graph.edgeBetween(path.from(i), path.to(i));
@@ -76,11 +72,10 @@ private:
             continue;
           }
           const std::vector<int> chain = graph.chain(edge, place);
-          double length = 0.0;
+          const double length = graph.length(chain);
           int at = place;
           for (const int one : chain)
           {
-            length += graph.length(one);
             at = graph.other(one, at);
           }
           if (graph.degree(at) > 2 && length < this->Reach && length < arrangeShare * strokeLength[edge])
@@ -111,11 +106,7 @@ private:
       }
       ++nodes;
       const std::vector<int> chain = graph.chain(edge, place);
-      double length = 0.0;
-      for (const int one : chain)
-      {
-        length += graph.length(one);
-      }
+      const double length = graph.length(chain);
       const bool isLess = !best.empty() && length == most && chain.front() < best.front();
       if (ofEdge[edge][0] != ofEdge[edge][1] && (length > most || isLess))
       {

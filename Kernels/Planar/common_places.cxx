@@ -244,22 +244,12 @@ private:
     return true;
   }
 
-  double lengthOf(const PlacePath& path) const
-  {
-    double length = 0.0;
-    for (int i = 0; i < path.segments(); ++i)
-    {
-      length += apart(this->Places[path.from(i)], this->Places[path.to(i)]);
-    }
-    return length;
-  }
-
   Join joinOf(int number, bool last) const
   {
     const PlacePath& path = this->Paths[number];
     const int end = last ? path.at.back() : path.at.front();
     const GridPlace& from = this->Places[end];
-    Join best{ std::min(this->Reach, arrangeShare * this->lengthOf(path)), number, end, -1, last };
+    Join best{ std::min(this->Reach, arrangeShare * path.length(this->Places)), number, end, -1, last };
     const auto offer = [&](int place)
     {
       const double distance = apart(from, this->Places[place]);

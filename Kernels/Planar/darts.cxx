@@ -137,19 +137,8 @@ Rows farFromRims(const DistanceMaps& maps,
   DartMode mode,
   const Context& context)
 {
-  std::vector<double> greatest; // T, of each object
-  if (mode == DartMode::Published)
-  {
-    for (std::size_t i = 0; i < maps.object.size(); ++i)
-    {
-      if (maps.object[i] >= 0)
-      {
-        greatest.resize(std::max<std::size_t>(greatest.size(), maps.object[i] + 1), 0.0);
-        greatest[maps.object[i]] = std::max<double>(greatest[maps.object[i]], maps.distance[i]);
-      }
-    }
-  }
   const bool local = mode == DartMode::Local;
+  const std::vector<float> greatest = local ? std::vector<float>() : greatestDistances(maps);
   std::vector<Bound> bounds;
   if (local)
   {
@@ -215,14 +204,8 @@ void keepClearOf(const std::vector<StrokeLine>& lines, const Frame& frame, Rows&
              found->second.end(),
              [&](const NearestPlace& nearest) { return nearest(Vector2(c.x, c.y), limit).distance < limit; });
   };
-  context.parallelFor(static_cast<int>(rows.size()),
-    [&](int begin, int end)
-    {
-      for (int y = begin; y < end && !context.cancelled(); ++y)
-      {
-        rows[y].erase(std::remove_if(rows[y].begin(), rows[y].end(), isNear), rows[y].end());
-      }
-    });
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int y) { rows[y].erase(std::remove_if(rows[y].begin(), rows[y].end(), isNear), rows[y].end()); });
   context.checkpoint(0.3);
 }
 

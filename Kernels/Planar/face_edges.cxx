@@ -26,23 +26,14 @@ Message edgeText(int from, int to)
 template <typename Item, typename PointsOf>
 Lists listsAt(std::size_t points, const std::vector<Item>& items, const PointsOf& pointsOf)
 {
-  Lists lists;
-  lists.offsets.assign(points + 1, 0);
-  for (const Item& item : items)
-  {
-    pointsOf(item, [&](int point) { ++lists.offsets[point + 1]; });
-  }
-  for (std::size_t p = 0; p < points; ++p)
-  {
-    lists.offsets[p + 1] += lists.offsets[p];
-  }
-  lists.values.resize(lists.offsets[points]);
-  std::vector<int> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (int i = 0; i < static_cast<int>(items.size()); ++i)
-  {
-    pointsOf(items[i], [&](int point) { lists.values[next[point]++] = i; });
-  }
-  return lists;
+  return Lists::gathered(points,
+    [&](const auto& visit)
+    {
+      for (int i = 0; i < static_cast<int>(items.size()); ++i)
+      {
+        pointsOf(items[i], [&](int point) { visit(point, i); });
+      }
+    });
 }
 
 // A face's edge from a corner to the next.
@@ -205,9 +196,9 @@ FaceEdges dividedEdges(const PlanarMesh& whole, const FaceEdges& links, const Pl
   std::vector<std::array<int, 2>> halves(edges);
   for (int p = 0; p < points; ++p)
   {
-    for (const int* at = links.atPoint.begin(p); at != links.atPoint.end(p); ++at)
+    for (const int at : links.atPoint[p])
     {
-      const int e = *at, number = static_cast<int>(made.edges.size());
+      const int e = at, number = static_cast<int>(made.edges.size());
       const FaceEdge& edge = links.edges[e];
       const bool first = edge.from == p;
       halves[e][first ? 0 : 1] = number;

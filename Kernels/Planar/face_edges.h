@@ -62,9 +62,9 @@ void forDividedNeighbours(const FaceEdges& links, int wholePoints, int point, co
   const int e = point - wholePoints; // the edge that it is the middle of
   if (e < 0)
   {
-    for (const int* at = links.atPoint.begin(point); at != links.atPoint.end(point); ++at)
+    for (const int at : links.atPoint[point])
     {
-      what(wholePoints + *at);
+      what(wholePoints + at);
     }
     return;
   }

@@ -25,8 +25,7 @@ std::vector<int> withTheirRing(const PlanarMesh& mesh, const Lists& at, const st
       ring.insert(ring.end(), at.begin(face.corners[i]), at.end(face.corners[i]));
     }
   }
-  std::sort(ring.begin(), ring.end());
-  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  sortUnique(ring);
   return ring;
 }
 
@@ -44,15 +43,9 @@ std::vector<int> movable(const PlanarMesh& mesh,
       std::back_inserter(points),
       [&](int p) { return weights[p] > 0.0; });
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  sortUnique(points);
   return points;
 }
-
-} // namespace
-
-namespace
-{
 
 // Where a point is, `placeOf` says.
 template <typename PlaceOf>
@@ -81,25 +74,10 @@ std::vector<int> invertedAt(const PlaceOf& placeOf,
   double least,
   const Context& context)
 {
-  const int count = static_cast<int>(all.size());
   std::vector<char> inverted(all.size());
-  context.parallelFor(count,
-    [&](int begin, int end)
-    {
-      for (int f = begin; f < end; ++f)
-      {
-        inverted[f] = isInvertedAt(placeOf, all[f], least);
-      }
-    });
-  std::vector<int> faces;
-  for (int f = 0; f < count; ++f)
-  {
-    if (inverted[f])
-    {
-      faces.push_back(f);
-    }
-  }
-  return faces;
+  context.each(
+    static_cast<int>(all.size()), [&](int f) { inverted[f] = isInvertedAt(placeOf, all[f], least); });
+  return marked(inverted);
 }
 
 } // namespace

@@ -21,6 +21,16 @@ double apart(const GridPlace& a, const GridPlace& b)
   return std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
 }
 
+double PlacePath::length(const std::vector<GridPlace>& places) const
+{
+  double length = 0.0;
+  for (int i = 0; i < this->segments(); ++i)
+  {
+    length += apart(places[this->from(i)], places[this->to(i)]);
+  }
+  return length;
+}
+
 LineGraph::LineGraph(const std::vector<GridPlace>& places, const std::vector<PlacePath>& paths)
   : Places(places)
   , Around(places.size())
@@ -33,8 +43,7 @@ LineGraph::LineGraph(const std::vector<GridPlace>& places, const std::vector<Pla
       this->Edges.push_back({ std::min(from, to), std::max(from, to) });
     }
   }
-  std::sort(this->Edges.begin(), this->Edges.end());
-  this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end()), this->Edges.end());
+  sortUnique(this->Edges);
   this->Gone.assign(this->Edges.size(), 0);
   for (int e = 0; e < this->edgeCount(); ++e)
   {
@@ -57,9 +66,14 @@ int LineGraph::edgeBetween(int a, int b) const
   return -1;
 }
 
-double LineGraph::length(int edge) const
+double LineGraph::length(const std::vector<int>& edges) const
 {
-  return apart(this->Places[this->Edges[edge][0]], this->Places[this->Edges[edge][1]]);
+  double length = 0.0;
+  for (const int edge : edges)
+  {
+    length += apart(this->Places[this->Edges[edge][0]], this->Places[this->Edges[edge][1]]);
+  }
+  return length;
 }
 
 void LineGraph::remove(int edge)

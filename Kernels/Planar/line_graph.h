@@ -18,6 +18,7 @@ struct PlacePath
   int segments() const { return static_cast<int>(this->at.size()) - (this->closed ? 0 : 1); }
   int from(int segment) const { return this->at[segment]; }
   int to(int segment) const { return this->at[(segment + 1) % this->at.size()]; }
+  double length(const std::vector<GridPlace>& places) const;
 };
 
 // Of lines that meet in common places alone. An edge that several lines have is one.
@@ -35,7 +36,7 @@ public:
     return this->Edges[edge][0] == place ? this->Edges[edge][1] : this->Edges[edge][0];
   }
   int edgeCount() const { return static_cast<int>(this->Edges.size()); }
-  double length(int edge) const;
+  double length(const std::vector<int>& edges) const;
   bool has(int edge) const { return !this->Gone[edge]; }
   void remove(int edge);
 

@@ -152,8 +152,7 @@ std::vector<int> PieceList::anchors(const std::vector<int>& forced) const
     found.insert(found.end(), { 0, this->count() - 1 });
   }
   found.insert(found.end(), forced.begin(), forced.end());
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+  sortUnique(found);
   if (this->Closed)
   {
     found.push_back(found.front() + this->count());

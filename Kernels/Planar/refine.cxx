@@ -130,10 +130,23 @@ std::vector<BoundaryKind> kindsOf(const PlanarMesh& mesh, std::size_t strokes)
   return kinds;
 }
 
+// Of strokes: number, from, to.
+using Parts = std::set<std::tuple<int, double, double>>;
+
+std::vector<StrokeSplit> splitsOf(const Parts& parts)
+{
+  std::vector<StrokeSplit> splits;
+  for (const auto& [stroke, start, end] : parts)
+  {
+    splits.push_back({ stroke, start, end, 1 });
+  }
+  return splits;
+}
+
 // The parts of strokes at the mesh's faces of these bases.
 std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links, const std::set<int>& bases)
 {
-  std::set<std::tuple<int, double, double>> parts;
+  Parts parts;
   const auto take = [&](int e)
   {
     if (links.edges[e].stroke >= 0)
@@ -171,13 +184,7 @@ std::vector<StrokeSplit> splitsAt(const PlanarMesh& mesh, const FaceEdges& links
         at);
     }
   }
-  std::vector<StrokeSplit> splits;
-  splits.reserve(parts.size());
-  for (const auto& [stroke, start, end] : parts)
-  {
-    splits.push_back({ stroke, start, end, 1 });
-  }
-  return splits;
+  return splitsOf(parts);
 }
 
 // The parts of strokes, by the coarse mesh's edges, that have samples beside the refined edges.
@@ -191,7 +198,7 @@ std::vector<StrokeSplit> missed(const PlanarMesh& coarse,
   {
     ends.emplace(edge.stroke, edge.end, edge.start);
   }
-  std::set<std::tuple<int, double, double>> parts;
+  Parts parts;
   for (const StrokeEdge& edge : fine.edges)
   {
     const Vector2 &a = fine.points[edge.from].place, &b = fine.points[edge.to].place;
@@ -207,13 +214,7 @@ std::vector<StrokeSplit> missed(const PlanarMesh& coarse,
       parts.emplace(edge.stroke, std::get<2>(*of), std::get<1>(*of));
     }
   }
-  std::vector<StrokeSplit> splits;
-  splits.reserve(parts.size());
-  for (const auto& [stroke, start, end] : parts)
-  {
-    splits.push_back({ stroke, start, end, 1 });
-  }
-  return splits;
+  return splitsOf(parts);
 }
 
 } // namespace

@@ -280,9 +280,9 @@ TEST(C9_6, AShareOfASnapGoesToItsNeighbours)
     {
       Vector2 sum = Vector2::Zero();
       int count = 0;
-      for (const int* e = links.atPoint.begin(p); e != links.atPoint.end(p); ++e)
+      for (const int e : links.atPoint[p])
       {
-        const int q = links.edges[*e].other(p);
+        const int q = links.edges[e].other(p);
         if (some.points[q].kind == BoundaryKind::Feature)
         {
           sum += none.points[q].place - masks.points[q].place;

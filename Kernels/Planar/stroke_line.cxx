@@ -1,6 +1,6 @@
 #include "Planar/stroke_line.h"
 
-#include <algorithm>
+#include <set>
 
 namespace oversketch
 {
@@ -45,24 +45,19 @@ std::vector<StrokeLine> strokeLines(const std::vector<StrokePolyline>& polylines
 
 std::vector<bool> inHoles(const std::vector<StrokeClass>& classes, const std::vector<Treatment>& treatments)
 {
-  // Of each region the closed feature that bounds it, -1 where that is an object's boundary.
-  std::vector<int> bounds;
+  std::set<int> holes; // regions
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    if (classes[i].childRegion >= 0)
+    if (classes[i].childRegion >= 0 && treatments[i] == Treatment::Hole)
     {
-      bounds.resize(std::max<std::size_t>(bounds.size(), classes[i].childRegion + 1), -1);
-      bounds[classes[i].childRegion] = static_cast<int>(i);
+      holes.insert(classes[i].childRegion);
     }
   }
-  const auto around = [&](const StrokeClass& which)
-  { return which.region >= 0 && which.region < static_cast<int>(bounds.size()) ? bounds[which.region] : -1; };
-  std::vector<bool> result(classes.size(), false);
+  std::vector<bool> result(classes.size());
   for (std::size_t i = 0; i < classes.size(); ++i)
   {
-    const int stroke = around(classes[i]);
     const bool island = classes[i].childRegion >= 0 && treatments[i] != Treatment::Hole;
-    result[i] = stroke >= 0 && treatments[stroke] == Treatment::Hole && !island;
+    result[i] = !island && holes.count(classes[i].region) > 0;
   }
   return result;
 }

@@ -44,20 +44,6 @@ struct Level
     }
     return sum / face.count();
   }
-
-  // Calls what with every number in [0, count).
-  template <typename What>
-  void forEach(int count, const What& what) const
-  {
-    this->context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int i = begin; i < end; ++i)
-        {
-          what(i);
-        }
-      });
-  }
 };
 
 std::vector<PlanarPoint> linearPoints(const Level& level,
@@ -68,7 +54,7 @@ std::vector<PlanarPoint> linearPoints(const Level& level,
   points.reserve(level.pointCount() + level.edgeCount() + (rule.quads ? level.faceCount() : 0));
   points = level.mesh.points;
   points.resize(points.capacity());
-  level.forEach(level.edgeCount(),
+  level.context.each(level.edgeCount(),
     [&](int e)
     {
       const FaceEdge& edge = level.links.edges[e];
@@ -86,7 +72,7 @@ std::vector<PlanarPoint> linearPoints(const Level& level,
     });
   if (rule.quads)
   {
-    level.forEach(level.faceCount(),
+    level.context.each(level.faceCount(),
       [&](int f) { points[level.facePoint(f)].place = level.centreOf(level.mesh.faces[f]); });
   }
   return points;
@@ -159,9 +145,9 @@ Vector2 loopPlace(const Level& level, double usual, int point)
   const int n = at.size(point);
   const double beta = n == 6 ? usual : betaOf(n);
   Vector2 sum = Vector2::Zero();
-  for (const int* e = at.begin(point); e != at.end(point); ++e)
+  for (const int e : at[point])
   {
-    sum += level.place(level.links.edges[*e].other(point));
+    sum += level.place(level.links.edges[e].other(point));
   }
   return (1.0 - n * beta) * level.place(point) + beta * sum;
 }
@@ -172,13 +158,13 @@ Vector2 catmullClarkPlace(const Level& level, const Polyline& smooth, int point)
   const Lists& faces = level.links.facesAtPoint;
   const int n = edges.size(point);
   Vector2 faceSum = Vector2::Zero(), edgeSum = Vector2::Zero();
-  for (const int* f = faces.begin(point); f != faces.end(point); ++f)
+  for (const int f : faces[point])
   {
-    faceSum += smooth[level.facePoint(*f)];
+    faceSum += smooth[level.facePoint(f)];
   }
-  for (const int* e = edges.begin(point); e != edges.end(point); ++e)
+  for (const int e : edges[point])
   {
-    edgeSum += level.middleOf(level.links.edges[*e]);
+    edgeSum += level.middleOf(level.links.edges[e]);
   }
   return (faceSum / n + 2.0 * edgeSum / n + (n - 3) * level.place(point)) / n;
 }
@@ -203,9 +189,9 @@ Vector2 catmullClarkMiddle(const Level& level, const Polyline& smooth, const Fac
 
 bool onBorder(const FaceEdges& links, int point)
 {
-  for (const int* e = links.atPoint.begin(point); e != links.atPoint.end(point); ++e)
+  for (const int e : links.atPoint[point])
   {
-    if (links.edges[*e].faces[1] < 0)
+    if (links.edges[e].faces[1] < 0)
     {
       return true;
     }
@@ -230,7 +216,7 @@ Polyline maskPlaces(const Level& level, const PlanarMesh& linear, bool quads)
   {
     smooth[level.facePoint(f)] = linear.points[level.facePoint(f)].place;
   }
-  level.forEach(level.edgeCount(),
+  level.context.each(level.edgeCount(),
     [&](int e)
     {
       const FaceEdge& edge = level.links.edges[e];
@@ -244,7 +230,7 @@ Polyline maskPlaces(const Level& level, const PlanarMesh& linear, bool quads)
         smooth[p] = quads ? catmullClarkMiddle(level, smooth, edge) : loopMiddle(level, edge);
       }
     });
-  level.forEach(level.pointCount(),
+  level.context.each(level.pointCount(),
     [&](int p)
     {
       if (isRim(level.mesh.points[p].kind) || onBorder(level.links, p))
@@ -321,7 +307,7 @@ SubdividedMesh subdivide(const PlanarMesh& mesh,
   const std::vector<PlanarPoint>& points = made.mesh.points;
   const int count = static_cast<int>(points.size());
   made.free.resize(points.size());
-  level.forEach(count, [&](int p) { made.free[p] = points[p].stroke < 0; });
+  level.context.each(count, [&](int p) { made.free[p] = points[p].stroke < 0; });
   if (std::all_of(rule.kinds.begin(), rule.kinds.end(), isRim))
   {
     return made; // of rims no mask has moved a point
@@ -348,7 +334,7 @@ SubdividedMesh subdivide(const PlanarMesh& mesh,
   {
     return made;
   }
-  level.forEach(count,
+  level.context.each(count,
     [&](int p)
     {
       if (!made.free[p])
@@ -367,9 +353,9 @@ SubdividedMesh subdivide(const PlanarMesh& mesh,
       };
       if (rule.quads)
       {
-        for (const int* e = made.links.atPoint.begin(p); e != made.links.atPoint.end(p); ++e)
+        for (const int e : made.links.atPoint[p])
         {
-          take(made.links.edges[*e].other(p));
+          take(made.links.edges[e].other(p));
         }
       }
       else

@@ -1,6 +1,7 @@
 #include "Planar/triangulate.h"
 
 #include "Planar/delaunay.h"
+#include "Planar/trim.h"
 
 #include <algorithm>
 #include <limits>
@@ -239,51 +240,6 @@ std::map<int, int> objectsOf(const std::vector<StrokeLine>& lines)
   return objects;
 }
 
-// Leaves out points that no face has, and edges of strokes that have none; numbers them anew.
-void compact(PlanarMesh& mesh, const std::vector<bool>& keptEdges)
-{
-  std::vector<int> numbers(mesh.points.size(), -1);
-  for (const PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      numbers[face.corners[k]] = 0;
-    }
-  }
-  int count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] == 0)
-    {
-      mesh.points[count] = mesh.points[i];
-      numbers[i] = count++;
-    }
-  }
-  mesh.points.resize(count);
-  for (PlanarFace& face : mesh.faces)
-  {
-    for (int k = 0; k < face.count(); ++k)
-    {
-      face.corners[k] = numbers[face.corners[k]];
-    }
-  }
-  std::vector<StrokeEdge> edges;
-  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
-  {
-    if (keptEdges[i])
-    {
-      edges.push_back(mesh.edges[i]);
-      edges.back().from = numbers[edges.back().from];
-      edges.back().to = numbers[edges.back().to];
-    }
-  }
-  std::sort(edges.begin(),
-    edges.end(),
-    [](const StrokeEdge& a, const StrokeEdge& b)
-    { return a.stroke != b.stroke ? a.stroke < b.stroke : a.start < b.start; });
-  mesh.edges = std::move(edges);
-}
-
 } // namespace
 
 PlanarMesh triangulate(const std::vector<StrokeLine>& lines,
@@ -301,7 +257,7 @@ PlanarMesh triangulate(const std::vector<StrokeLine>& lines,
   std::vector<int> regions = regionsOf(faces, sketch, lines);
   divideRegions(faces, regions);
   const std::map<int, int> objects = objectsOf(lines);
-  std::vector<bool> kept(sketch.constraints.size(), false);
+  std::vector<char> kept(sketch.constraints.size(), 0);
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     const auto object = objects.find(wholeRegion(regions[f]));
@@ -319,7 +275,7 @@ PlanarMesh triangulate(const std::vector<StrokeLine>& lines,
     {
       if (constraint >= 0)
       {
-        kept[constraint] = true;
+        kept[constraint] = 1;
       }
     }
   }
@@ -335,6 +291,10 @@ PlanarMesh triangulate(const std::vector<StrokeLine>& lines,
     }
   }
   compact(mesh, kept);
+  std::sort(mesh.edges.begin(),
+    mesh.edges.end(),
+    [](const StrokeEdge& a, const StrokeEdge& b)
+    { return a.stroke != b.stroke ? a.stroke < b.stroke : a.start < b.start; });
   return mesh;
 }
 

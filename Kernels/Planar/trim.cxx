@@ -4,28 +4,29 @@
 
 #include "Mesh/context.h"
 
-#include <string>
-
 namespace oversketch
 {
 
-std::vector<char> regionsInHoles(const Classification& classification,
-  const std::vector<Treatment>& treatments)
+void compact(PlanarMesh& mesh, const std::vector<char>& keptEdges)
 {
-  const std::vector<Region>& regions = classification.regions;
-  std::vector<char> gone(regions.size(), 0);
-  for (std::size_t r = 0; r < regions.size(); ++r)
+  const std::vector<int> numbers = dropUnusedPoints(mesh);
+  std::vector<StrokeEdge> edges;
+  for (std::size_t i = 0; i < mesh.edges.size(); ++i)
   {
-    // Treatments of what bounds an object do not matter.
-    gone[r] = regions[r].parent >= 0 && treatments[regions[r].stroke] == Treatment::Hole;
+    if (keptEdges[i])
+    {
+      edges.push_back(mesh.edges[i]);
+      edges.back().from = numbers[edges.back().from];
+      edges.back().to = numbers[edges.back().to];
+    }
   }
-  return gone;
+  mesh.edges = std::move(edges);
 }
 
 PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
 {
-  std::vector<char> kept(mesh.points.size(), 0), lost(mesh.points.size(), 0);
-  PlanarMesh made;
+  std::vector<char> lost(mesh.points.size(), 0);
+  PlanarMesh made{ mesh.points, {}, mesh.edges };
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const PlanarFace& face = mesh.faces[f];
@@ -38,31 +39,21 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
         face.region,
         gone.size());
     }
-    for (int i = 0; i < face.count(); ++i)
-    {
-      (gone[region] ? lost : kept)[face.corners[i]] = 1;
-    }
     if (!gone[region])
     {
       made.faces.push_back(face);
+      continue;
     }
-  }
-  std::vector<int> number(mesh.points.size(), -1);
-  for (std::size_t p = 0; p < mesh.points.size(); ++p)
-  {
-    if (kept[p])
-    {
-      number[p] = static_cast<int>(made.points.size());
-      made.points.push_back(mesh.points[p]);
-      BoundaryKind& kind = made.points.back().kind;
-      kind = lost[p] && kind != BoundaryKind::Object ? BoundaryKind::Hole : kind;
-    }
-  }
-  for (PlanarFace& face : made.faces)
-  {
     for (int i = 0; i < face.count(); ++i)
     {
-      face.corners[i] = number[face.corners[i]];
+      lost[face.corners[i]] = 1;
+    }
+  }
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    if (lost[p] && made.points[p].kind != BoundaryKind::Object)
+    {
+      made.points[p].kind = BoundaryKind::Hole;
     }
   }
   std::vector<char> onEdge(mesh.edges.size(), 0);
@@ -76,15 +67,7 @@ PlanarMesh withoutRegions(const PlanarMesh& mesh, const std::vector<char>& gone)
       }
     }
   }
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e)
-  {
-    if (onEdge[e])
-    {
-      made.edges.push_back(mesh.edges[e]);
-      made.edges.back().from = number[mesh.edges[e].from];
-      made.edges.back().to = number[mesh.edges[e].to];
-    }
-  }
+  compact(made, onEdge);
   return made;
 }
 

@@ -186,9 +186,7 @@ int distinctPoints(const Polyline& points)
 // A pen that was set down and hardly moved: however it runs, nothing is lost without it.
 bool isDot(const Polyline& points)
 {
-  Eigen::AlignedBox2d box;
-  std::for_each(points.begin(), points.end(), [&](const Vector2& p) { box.extend(p); });
-  return box.volume() < smallestArea;
+  return boxRound(points).volume() < smallestArea;
 }
 
 void reject(StrokeClass& stroke, Rejection why)

@@ -81,21 +81,30 @@ std::vector<std::array<int, 2>> insides(const std::vector<float>& distance, cons
 
 } // namespace
 
+std::vector<char> regionsInHoles(const Classification& classification,
+  const std::vector<Treatment>& treatments)
+{
+  const std::vector<Region>& regions = classification.regions;
+  std::vector<char> gone(regions.size(), 0);
+  for (std::size_t r = 0; r < regions.size(); ++r)
+  {
+    // Treatments of what bounds an object do not matter.
+    gone[r] = regions[r].parent >= 0 && treatments[regions[r].stroke] == Treatment::Hole;
+  }
+  return gone;
+}
+
 std::vector<Rim> rimsOf(const Classification& classification,
   const std::vector<DrawnStroke>& strokes,
   const std::vector<Treatment>& treatments)
 {
-  const auto isHole = [&](int region)
-  {
-    const Region& which = classification.regions[region];
-    return which.parent >= 0 && treatments[which.stroke] == Treatment::Hole;
-  };
+  const std::vector<char> isHole = regionsInHoles(classification, treatments);
   std::vector<Rim> rims;
   for (std::size_t i = 0; i < strokes.size(); ++i)
   {
     const StrokeClass& stroke = classification.strokes[i];
     const bool rim = stroke.role == Role::Boundary || (stroke.role == Role::ClosedFeature &&
-                                                        isHole(stroke.childRegion) != isHole(stroke.region));
+                                                        isHole[stroke.childRegion] != isHole[stroke.region]);
     if (rim)
     {
       rims.push_back({ strokes[i].points, stroke.object });
@@ -180,6 +189,20 @@ DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const 
   return maps;
 }
 
+std::vector<float> greatestDistances(const DistanceMaps& maps)
+{
+  std::vector<float> greatest;
+  for (std::size_t i = 0; i < maps.object.size(); ++i)
+  {
+    if (maps.object[i] >= 0)
+    {
+      greatest.resize(std::max<std::size_t>(greatest.size(), maps.object[i] + 1), 0.0f);
+      greatest[maps.object[i]] = std::max(greatest[maps.object[i]], maps.distance[i]);
+    }
+  }
+  return greatest;
+}
+
 void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& context)
 {
   const Frame& frame = maps.frame;
@@ -188,29 +211,18 @@ void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& contex
   maps.skeleton.assign(frame.count(), 0);
   maps.uphill.assign(frame.count(), -1);
   const std::vector<std::array<int, 2>> spans = insides(distance, frame);
-  context.parallelFor(frame.height,
-    [&](int begin, int end)
+  context.eachUntilCancelled(frame.height,
+    [&](int y)
     {
-      for (int y = begin; y < end && !context.cancelled(); ++y)
-      {
-        const auto [from, to] = spans[y];
-        const std::size_t at = frame.index(from, y);
-        const Row row{ maps.thickness.data() + at, maps.skeleton.data() + at, maps.uphill.data() + at };
-        climb(distance.data() + at, to - from, frame.width, static_cast<int>(at), row);
-      }
+      const auto [from, to] = spans[y];
+      const std::size_t at = frame.index(from, y);
+      const Row row{ maps.thickness.data() + at, maps.skeleton.data() + at, maps.uphill.data() + at };
+      climb(distance.data() + at, to - from, frame.width, static_cast<int>(at), row);
     });
   context.checkpoint(0.6);
   if (mode == ThicknessMode::Global)
   {
-    std::vector<float> greatest;
-    for (std::size_t i = 0; i < frame.count(); ++i)
-    {
-      if (maps.object[i] >= 0)
-      {
-        greatest.resize(std::max<std::size_t>(greatest.size(), maps.object[i] + 1), 0.0f);
-        greatest[maps.object[i]] = std::max(greatest[maps.object[i]], distance[i]);
-      }
-    }
+    const std::vector<float> greatest = greatestDistances(maps);
     for (std::size_t i = 0; i < frame.count(); ++i)
     {
       maps.thickness[i] = distance[i] > 0.0f ? greatest[maps.object[i]] : 0.0f;

@@ -23,6 +23,10 @@ enum class Treatment : int
   Tunnel = 2 // cut out of the surface
 };
 
+// Of each region: 1 where its stroke is a hole. What lies in one and is none is an island.
+std::vector<char> regionsInHoles(const Classification& classification,
+  const std::vector<Treatment>& treatments);
+
 // The rims of a drawing, in the strokes' order: boundaries of objects, those of holes in what is no hole
 // already, and those of islands, which lie in a hole and are none. treatments: of each stroke; those of
 // boundaries and open features do not matter.
@@ -64,6 +68,9 @@ DistanceMaps distanceMaps(const Frame& frame,
 // The first half of it, T and the objects alone, and the second, for benchmarks.
 DistanceMaps distanceTo(const Frame& frame, const std::vector<Rim>& rims, const Context& context);
 void findThickness(DistanceMaps& maps, ThicknessMode mode, const Context& context);
+
+// The greatest T of each object.
+std::vector<float> greatestDistances(const DistanceMaps& maps);
 
 } // namespace oversketch
 #endif

@@ -128,56 +128,53 @@ std::vector<float> GridSmoothing::spread(const std::vector<double>& values,
 {
   const Frame& frame = this->Maps.frame;
   std::vector<float> result(frame.count(), 0.0f);
-  context.parallelFor(frame.height,
-    [&](int begin, int end)
+  context.eachUntilCancelled(frame.height,
+    [&](int y)
     {
-      for (int y = begin; y < end && !context.cancelled(); ++y)
+      for (int x = 0; x < frame.width; ++x)
       {
-        for (int x = 0; x < frame.width; ++x)
+        const std::size_t at = frame.index(x, y);
+        if (this->Maps.distance[at] <= 0.0f)
         {
-          const std::size_t at = frame.index(x, y);
-          if (this->Maps.distance[at] <= 0.0f)
-          {
-            continue;
-          }
-          // Beside the rim: up the steepest way, which crosses no rim, into an inner cell.
-          int from = static_cast<int>(at);
-          int own = this->numberAt(x / this->Step, y / this->Step);
-          while (own < 0 && this->Maps.uphill[from] >= 0)
-          {
-            from = this->Maps.uphill[from];
-            own = this->numberAt(from % frame.width / this->Step, from / frame.width / this->Step);
-          }
-          if (own < 0)
-          {
-            result[at] = otherwise[at];
-            continue;
-          }
-          // Bilinear between the centres of inner cells; over a corner only past one that is inner too, or
-          // it would lead through the rim.
-          const int cx = this->Cells[own][0], cy = this->Cells[own][1];
-          const double middle = 0.5 * (this->Step - 1);
-          const int column = from % frame.width, row = from / frame.width;
-          const double u = (column - cx * this->Step - middle) / this->Step;
-          const double v = (row - cy * this->Step - middle) / this->Step;
-          const int sx = u < 0.0 ? -1 : 1, sy = v < 0.0 ? -1 : 1;
-          const double a = std::abs(u), b = std::abs(v);
-          const int right = this->numberAt(cx + sx, cy), up = this->numberAt(cx, cy + sy);
-          const int corner = right >= 0 || up >= 0 ? this->numberAt(cx + sx, cy + sy) : -1;
-          double sum = (1.0 - a) * (1.0 - b) * values[own], weights = (1.0 - a) * (1.0 - b);
-          const auto add = [&](int cell, double weight)
-          {
-            if (cell >= 0)
-            {
-              sum += weight * values[cell];
-              weights += weight;
-            }
-          };
-          add(right, a * (1.0 - b));
-          add(up, (1.0 - a) * b);
-          add(corner, a * b);
-          result[at] = static_cast<float>(sum / weights);
+          continue;
         }
+        // Beside the rim: up the steepest way, which crosses no rim, into an inner cell.
+        int from = static_cast<int>(at);
+        int own = this->numberAt(x / this->Step, y / this->Step);
+        while (own < 0 && this->Maps.uphill[from] >= 0)
+        {
+          from = this->Maps.uphill[from];
+          own = this->numberAt(from % frame.width / this->Step, from / frame.width / this->Step);
+        }
+        if (own < 0)
+        {
+          result[at] = otherwise[at];
+          continue;
+        }
+        // Bilinear between the centres of inner cells; over a corner only past one that is inner too, or
+        // it would lead through the rim.
+        const int cx = this->Cells[own][0], cy = this->Cells[own][1];
+        const double middle = 0.5 * (this->Step - 1);
+        const int column = from % frame.width, row = from / frame.width;
+        const double u = (column - cx * this->Step - middle) / this->Step;
+        const double v = (row - cy * this->Step - middle) / this->Step;
+        const int sx = u < 0.0 ? -1 : 1, sy = v < 0.0 ? -1 : 1;
+        const double a = std::abs(u), b = std::abs(v);
+        const int right = this->numberAt(cx + sx, cy), up = this->numberAt(cx, cy + sy);
+        const int corner = right >= 0 || up >= 0 ? this->numberAt(cx + sx, cy + sy) : -1;
+        double sum = (1.0 - a) * (1.0 - b) * values[own], weights = (1.0 - a) * (1.0 - b);
+        const auto add = [&](int cell, double weight)
+        {
+          if (cell >= 0)
+          {
+            sum += weight * values[cell];
+            weights += weight;
+          }
+        };
+        add(right, a * (1.0 - b));
+        add(up, (1.0 - a) * b);
+        add(corner, a * b);
+        result[at] = static_cast<float>(sum / weights);
       }
     });
   context.checkpoint(1.0);

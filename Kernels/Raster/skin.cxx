@@ -123,21 +123,10 @@ std::vector<std::uint8_t> colouredFrom(const PictureSamples& picture,
   const From& from,
   const Context& context)
 {
-  const int colours = picture.colours(), each = picture.components;
+  const std::size_t colours = picture.colours(), each = picture.components;
   std::vector<std::uint8_t> made(count(picture) * colours);
-  context.parallelFor(picture.height,
-    [&](int begin, int end)
-    {
-      const std::size_t last = static_cast<std::size_t>(end) * picture.width;
-      for (std::size_t at = static_cast<std::size_t>(begin) * picture.width; at < last; ++at)
-      {
-        const std::uint8_t* source = picture.samples + from(at) * each;
-        for (int k = 0; k < colours; ++k)
-        {
-          made[at * colours + k] = source[k];
-        }
-      }
-    });
+  context.each(static_cast<int>(count(picture)),
+    [&](int at) { std::copy_n(picture.samples + from(at) * each, colours, made.data() + at * colours); });
   return made;
 }
 

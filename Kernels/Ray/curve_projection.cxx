@@ -282,19 +282,7 @@ std::vector<SurfaceCurve> projectCurve(const SurfaceRays& surface,
     looks.back() = looks.front();
     looks.back().along = count;
   }
-  std::vector<std::vector<SurfaceSample>> rows(looks.size());
-  context.eachUntilCancelled(static_cast<int>(rows.size()),
-    [&](int i)
-    {
-      if (i > 0)
-      {
-        tracer.join(looks[i - 1], looks[i], rows[i]);
-      }
-      else if (looks[0].hit.found())
-      {
-        rows[0].push_back({ looks[0].hit.at, looks[0].hit.position, 0.0 });
-      }
-    });
+  const std::vector<std::vector<SurfaceSample>> rows = rowsOf(looks, tracer, context);
   context.checkpoint(0.7);
   const std::vector<double> places =
     rules.spacing > 0.0 ? publishedPlaces(picture, closed, rules.spacing) : std::vector<double>();

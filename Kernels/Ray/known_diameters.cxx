@@ -212,30 +212,27 @@ private:
       taken.rows[vertices[i]] = taken.kept[vertices[i]] ? -1 : rows++;
     }
     taken.bounds.resize(rows * rays);
-    this->Caller.parallelFor(count,
-      [&](int begin, int end)
+    this->Caller.each(count,
+      [&](int i)
       {
-        for (int i = begin; i < end; ++i)
+        const int v = vertices[i];
+        const RayLengths packing(this->reach(v));
+        for (std::size_t k = 0; k < rays && taken.rows[v] >= 0; ++k)
         {
-          const int v = vertices[i];
-          const RayLengths packing(this->reach(v));
-          for (std::size_t k = 0; k < rays && taken.rows[v] >= 0; ++k)
+          const RayHit& hit = hits[i * rays + k];
+          const std::uint8_t length = this->lengths(v)[k];
+          RayBounds& known = taken.bounds[taken.rows[v] * rays + k];
+          known = { below * packing.least(length), above * packing.unpack(length) };
+          if (hit.triangle >= 0)
           {
-            const RayHit& hit = hits[i * rays + k];
-            const std::uint8_t length = this->lengths(v)[k];
-            RayBounds& known = taken.bounds[taken.rows[v] * rays + k];
-            known = { below * packing.least(length), above * packing.unpack(length) };
-            if (hit.triangle >= 0)
-            {
-              // What was there before is no nearer than it was; where the changed facet is a new one it ends
-              // the ray.
-              known.low = std::min(known.low, below * hit.distance);
-              known.high = hit.triangle < removed ? RayBounds().high : above * hit.distance;
-            }
-            else if (length == RayLengths::endless)
-            {
-              known.high = 0.0f; // still without an end
-            }
+            // What was there before is no nearer than it was; where the changed facet is a new one it ends
+            // the ray.
+            known.low = std::min(known.low, below * hit.distance);
+            known.high = hit.triangle < removed ? RayBounds().high : above * hit.distance;
+          }
+          else if (length == RayLengths::endless)
+          {
+            known.high = 0.0f; // still without an end
           }
         }
       });

@@ -389,20 +389,7 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
     seen.push_back(seen.front());
     seen.back().along = count;
   }
-  // Row 0 is the first sample, row i what follows sample i - 1 up to sample i.
-  std::vector<std::vector<SurfaceSample>> rows(seen.size());
-  context.eachUntilCancelled(static_cast<int>(rows.size()),
-    [&](int i)
-    {
-      if (i > 0)
-      {
-        tracer.join(seen[i - 1], seen[i], rows[i]);
-      }
-      else if (seen[0].hit.found())
-      {
-        rows[0].push_back({ seen[0].hit.at, seen[0].hit.position, 0.0 });
-      }
-    });
+  const std::vector<std::vector<SurfaceSample>> rows = rowsOf(seen, tracer, context);
   context.checkpoint(0.9);
   return piecesOf(rows, closed, count);
 }

@@ -98,6 +98,28 @@ SilhouetteSketch sketchSilhouette(const SurfaceRays& surface,
   const SketchRules& rules,
   const Context& context = Context());
 
+// What a tracer joins each sample of a stroke to the one before by.
+template <typename Look, typename Tracer>
+std::vector<std::vector<SurfaceSample>> rowsOf(const std::vector<Look>& looks,
+  const Tracer& tracer,
+  const Context& context)
+{
+  std::vector<std::vector<SurfaceSample>> rows(looks.size());
+  context.eachUntilCancelled(static_cast<int>(rows.size()),
+    [&](int i)
+    {
+      if (i > 0)
+      {
+        tracer.join(looks[i - 1], looks[i], rows[i]);
+      }
+      else if (looks[0].hit.found())
+      {
+        rows[0].push_back({ looks[0].hit.at, looks[0].hit.position, 0.0 });
+      }
+    });
+  return rows;
+}
+
 // Row 0 is the first sample of the stroke, row i what follows sample i - 1 up to sample i; a sample without
 // triangle is a gap. Of a closed stroke of strokeSize samples there is a row more, up to the first one again:
 // the pieces that meet there are one. Pieces with fewer than two samples are left out.

@@ -2,6 +2,7 @@
 
 #include "Mesh/match.h"
 #include "Mesh/nearest.h"
+#include "Mesh/shape.h"
 #include "Ray/embree.h"
 #include "Ray/ray_caster.h" // for RayFrame
 
@@ -91,7 +92,7 @@ struct SceneLine
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       const bool ordered = ids[i] < ids[j];
       const Vector2 &a = across[ordered ? i : j], &b = across[ordered ? j : i];
-      const double twice = a[0] * b[1] - a[1] * b[0];
+      const double twice = cross(a, b);
       side[k] = ordered ? twice : -twice;
     }
     const double sum = side.sum();

@@ -68,22 +68,19 @@ std::vector<double> sideShares(const std::vector<Vector3>& points,
   const CurveFrame ends[2] = { frames.at(0.0), frames.at(1.0) };
   const int count = static_cast<int>(region.vertices.size());
   std::vector<double> shares(region.vertices.size());
-  context.parallelFor(count,
-    [&](int begin, int end)
+  context.eachUntilCancelled(count,
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      shares[i] = 0.5 * (1.0 + region.side[i]);
+      const Vector3& point = points[region.vertices[i]];
+      const int which = nearestEnd(curve, point);
+      if (which != 0)
       {
-        shares[i] = 0.5 * (1.0 + region.side[i]);
-        const Vector3& point = points[region.vertices[i]];
-        const int which = nearestEnd(curve, point);
-        if (which != 0)
-        {
-          const CurveFrame& frame = ends[which < 0 ? 0 : 1];
-          const Vector3 way = point - frame.origin;
-          const double beside = way.dot(frame.side), along = way.dot(frame.along);
-          const double length = std::hypot(beside, along);
-          shares[i] = length > 0.0 ? 0.5 * (1.0 + beside / length) : 0.5;
-        }
+        const CurveFrame& frame = ends[which < 0 ? 0 : 1];
+        const Vector3 way = point - frame.origin;
+        const double beside = way.dot(frame.side), along = way.dot(frame.along);
+        const double length = std::hypot(beside, along);
+        shares[i] = length > 0.0 ? 0.5 * (1.0 + beside / length) : 0.5;
       }
     });
   context.checkpoint(0.0);
@@ -126,29 +123,25 @@ std::vector<Vector3> profileMoves(const std::vector<Vector3>& points,
   { return frameOf(points[region.vertices[i]], region.parameter[i], plane, reach.plane(), frames.length()); };
   std::vector<Vector3> moves(region.vertices.size(), Vector3::Zero());
   std::atomic<int> without{ count }; // the first vertex that has no frame
-  context.parallelFor(count,
-    [&](int begin, int end)
+  context.eachUntilCancelled(count,
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      const double s = region.distance[i], share = shares[i];
+      const Vector2 move = share * change.at(s) + (1.0 - share) * change.at(-s);
+      if (move == Vector2::Zero() || i > without)
       {
-        const double s = region.distance[i], share = shares[i];
-        const Vector2 move = share * change.at(s) + (1.0 - share) * change.at(-s);
-        if (move == Vector2::Zero())
+        return;
+      }
+      const double factor = reach.at(region.parameter[i]) * (weights.empty() ? 1.0 : weights[i]);
+      try
+      {
+        moves[i] = factor * (axesOf(frames.at(placeOf(i))) * (turn * move));
+      }
+      catch (const Error&)
+      {
+        int known = without;
+        while (i < known && !without.compare_exchange_weak(known, i))
         {
-          continue;
-        }
-        const double factor = reach.at(region.parameter[i]) * (weights.empty() ? 1.0 : weights[i]);
-        try
-        {
-          moves[i] = factor * (axesOf(frames.at(placeOf(i))) * (turn * move));
-        }
-        catch (const Error&)
-        {
-          int known = without;
-          while (i < known && !without.compare_exchange_weak(known, i))
-          {
-          }
-          return;
         }
       }
     });

@@ -129,15 +129,13 @@ FlatProfile ProfileFit::flat(const std::vector<Vector3>& section,
   const std::vector<double> lengths = arcLengths(fitted);
   const Vector3 x = (chord - chord.dot(normal) * normal).normalized(), up = normal.cross(x);
   const Vector3 y = up.dot(outward) < 0.0 ? Vector3(-up) : up;
-  Eigen::AlignedBox2d box;
   for (std::size_t i = 0; i < fitted.size(); ++i)
   {
     const Vector3 step = fitted[i] - fitted.front();
     profile.points.emplace_back(step.dot(x), step.dot(y));
     profile.t.push_back(lengths[i] / lengths.back());
-    box.extend(profile.points.back());
   }
-  const double size = box.sizes().maxCoeff();
+  const double size = boxRound(profile.points).sizes().maxCoeff();
   for (Vector2& point : profile.points)
   {
     point /= size;

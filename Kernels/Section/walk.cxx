@@ -81,9 +81,9 @@ public:
     double least = std::numeric_limits<double>::infinity();
     for (const int v : vertices)
     {
-      for (const int* t = this->Links.vertexTriangles.begin(v); t != this->Links.vertexTriangles.end(v); ++t)
+      for (const int t : this->Links.vertexTriangles[v])
       {
-        for (const int e : this->Links.triangleEdges[*t])
+        for (const int e : this->Links.triangleEdges[t])
         {
           const Crossing crossed = e < 0 ? Crossing() : this->crossing(e);
           if (!crossed.found())

@@ -15,41 +15,30 @@ Directions::Directions(const Mesh& mesh, const Adjacency& adjacency, const Conte
   , Corner(mesh.triangles.size())
   , Round(mesh.points.size(), 0.0)
 {
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.eachUntilCancelled(mesh.triangleCount(),
+    [&](int t)
     {
-      for (int t = begin; t < end && !context.cancelled(); ++t)
+      const Triangle& c = mesh.triangles[t];
+      for (int k = 0; k < 3; ++k)
       {
-        const Triangle& c = mesh.triangles[t];
-        for (int k = 0; k < 3; ++k)
-        {
-          const Vector3 a = mesh.points[c[(k + 1) % 3]] - mesh.points[c[k]],
-                        b = mesh.points[c[(k + 2) % 3]] - mesh.points[c[k]];
-          this->Corner[t][k] = std::atan2(a.cross(b).norm(), a.dot(b));
-        }
+        const Vector3 a = mesh.points[c[(k + 1) % 3]] - mesh.points[c[k]],
+                      b = mesh.points[c[(k + 2) % 3]] - mesh.points[c[k]];
+        this->Corner[t][k] = std::atan2(a.cross(b).norm(), a.dot(b));
       }
     });
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
-      {
-        this->order(v);
-      }
-    });
+  context.eachUntilCancelled(mesh.vertexCount(), [&](int v) { this->order(v); });
   context.checkpoint(0.0);
 }
 
 double Directions::toward(int vertex, int neighbour) const
 {
-  for (const int* t = this->Links.vertexTriangles.begin(vertex); t != this->Links.vertexTriangles.end(vertex);
-       ++t)
+  for (const int t : this->Links.vertexTriangles[vertex])
   {
-    const int k = this->corner(*t, vertex);
-    const Triangle& c = this->Surface.triangles[*t];
+    const int k = this->corner(t, vertex);
+    const Triangle& c = this->Surface.triangles[t];
     if (c[(k + 1) % 3] == neighbour || c[(k + 2) % 3] == neighbour)
     {
-      return c[(k + 1) % 3] == neighbour ? this->next(*t, k) : this->previous(*t, k);
+      return c[(k + 1) % 3] == neighbour ? this->next(t, k) : this->previous(t, k);
     }
   }
   return 0.0;

@@ -25,11 +25,7 @@ public:
   double toward(int vertex, int neighbour) const;
   // The angle between two, the shorter way round.
   double between(int vertex, double a, double b) const;
-  int corner(int t, int vertex) const
-  {
-    const Triangle& c = this->Surface.triangles[t];
-    return c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
-  }
+  int corner(int t, int vertex) const { return cornerOf(this->Surface.triangles[t], vertex); }
 
 private:
   // One triangle after the other round a vertex, from the border's where there is one.

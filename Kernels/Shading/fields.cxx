@@ -23,10 +23,7 @@ FeatureCurve curveOf(const Mesh& mesh, const std::vector<int>& chain, bool close
 {
   FeatureCurve curve;
   curve.closed = closed;
-  for (const int v : chain)
-  {
-    curve.points.push_back(mesh.points[v]);
-  }
+  curve.points = valuesAt(mesh.points, chain);
   curve.measure();
   return curve;
 }
@@ -81,9 +78,9 @@ void smoothField(const Mesh& patch,
   {
     const int v = free[i];
     double sum = mass[v] * field[v];
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      sum += held[*n] ? flow[adjacency.findEdge(v, *n)] * field[*n] : 0.0;
+      sum += held[n] ? flow[adjacency.findEdge(v, n)] * field[n] : 0.0;
     }
     side(static_cast<Eigen::Index>(i), 0) = sum;
   }
@@ -104,11 +101,10 @@ void smoothField(const Mesh& patch,
 std::vector<std::pair<int, double>> anglesRound(const Mesh& mesh, const Adjacency& adjacency, int vertex)
 {
   std::vector<std::array<int, 2>> steps; // from a neighbour to the next
-  for (const int* t = adjacency.vertexTriangles.begin(vertex); t != adjacency.vertexTriangles.end(vertex);
-       ++t)
+  for (const int t : adjacency.vertexTriangles[vertex])
   {
-    const Triangle& c = mesh.triangles[*t];
-    const int k = static_cast<int>(std::find(c.begin(), c.end(), vertex) - c.begin());
+    const Triangle& c = mesh.triangles[t];
+    const int k = cornerOf(c, vertex);
     steps.push_back({ c[(k + 1) % 3], c[(k + 2) % 3] });
   }
   std::vector<std::pair<int, double>> round;
@@ -169,15 +165,12 @@ ChainDistances distancesTo(const Mesh& mesh,
   ChainDistances result;
   result.distance.resize(mesh.points.size());
   result.place.resize(mesh.points.size());
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.eachUntilCancelled(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end && !context.cancelled(); ++v)
-      {
-        const NearestOnCurve nearest = search.nearest(0, mesh.points[v]);
-        result.distance[v] = nearest.distance;
-        result.place[v] = nearest.parameter;
-      }
+      const NearestOnCurve nearest = search.nearest(0, mesh.points[v]);
+      result.distance[v] = nearest.distance;
+      result.place[v] = nearest.parameter;
     });
   context.checkpoint(0.0);
   for (std::size_t i = 0; i < chain.size(); ++i)
@@ -258,13 +251,11 @@ std::vector<signed char> chainSides(const Mesh& mesh,
     }
     done[way.vertex] = 1;
     side[way.vertex] = way.side;
-    for (const int* n = adjacency.vertexVertices.begin(way.vertex);
-         n != adjacency.vertexVertices.end(way.vertex);
-         ++n)
+    for (const int n : adjacency.vertexVertices[way.vertex])
     {
-      if (!done[*n])
+      if (!done[n])
       {
-        queue.push({ way.length + (mesh.points[*n] - mesh.points[way.vertex]).norm(), *n, way.side });
+        queue.push({ way.length + (mesh.points[n] - mesh.points[way.vertex]).norm(), n, way.side });
       }
     }
   }

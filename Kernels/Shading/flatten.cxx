@@ -71,10 +71,10 @@ public:
     this->Matrix = weightMatrix(adjacency, ones, this->Inner, this->Number, none);
     for (const int v : this->Inner)
     {
-      for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+      for (const int n : adjacency.vertexVertices[v])
       {
-        this->Edges.push_back(adjacency.findEdge(v, *n));
-        this->Stays.push_back(this->Number[*n] < 0);
+        this->Edges.push_back(adjacency.findEdge(v, n));
+        this->Stays.push_back(this->Number[n] < 0);
       }
     }
     this->Factor =
@@ -193,13 +193,13 @@ BlockMatrix weightMatrix(const Adjacency& adjacency,
     const std::size_t own = matrix.values.size();
     matrix.pattern.values.push_back(static_cast<int>(i));
     matrix.values.push_back(diagonal[i]);
-    for (const int* n = adjacency.vertexVertices.begin(v); n != adjacency.vertexVertices.end(v); ++n)
+    for (const int n : adjacency.vertexVertices[v])
     {
-      const double weight = weights[adjacency.findEdge(v, *n)];
+      const double weight = weights[adjacency.findEdge(v, n)];
       matrix.values[own] += weight;
-      if (number[*n] >= 0)
+      if (number[n] >= 0)
       {
-        matrix.pattern.values.push_back(number[*n]);
+        matrix.pattern.values.push_back(number[n]);
         matrix.values.push_back(-weight);
       }
     }
@@ -214,10 +214,9 @@ std::vector<Vector2> flattened(const Mesh& patch, const Context& context, int ro
   const std::vector<int> border = discBorder(patch, adjacency);
   const std::vector<double> weights = positiveWeights(patch, adjacency);
   std::vector<double> areas;
-  for (const Triangle& t : patch.triangles)
+  for (int t = 0; t < patch.triangleCount(); ++t)
   {
-    const Vector3 u = patch.points[t[1]] - patch.points[t[0]], v = patch.points[t[2]] - patch.points[t[0]];
-    areas.push_back(0.5 * u.cross(v).norm());
+    areas.push_back(facetArea(patch, t));
   }
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   if (!(whole > 0.0) || !std::isfinite(whole))

@@ -133,10 +133,10 @@ public:
         continue; // a shorter way has come since
       }
       this->Passed[a] = 1;
-      for (const int* t = this->Links.vertexTriangles.begin(a); t != this->Links.vertexTriangles.end(a); ++t)
+      for (const int t : this->Links.vertexTriangles[a])
       {
-        this->cross(*t, this->Angles.corner(*t, a), 1);
-        this->cross(*t, this->Angles.corner(*t, a), 2);
+        this->cross(t, this->Angles.corner(t, a), 1);
+        this->cross(t, this->Angles.corner(t, a), 2);
       }
     }
   }

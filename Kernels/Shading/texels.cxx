@@ -46,34 +46,30 @@ std::vector<double> onTexels(const std::vector<Vector2>& disc,
       rows[j].push_back(static_cast<int>(t));
     }
   }
-  context.parallelFor(size,
-    [&](int begin, int end)
+  context.eachUntilCancelled(size,
+    [&](int j)
     {
-      for (int j = begin; j < end && !context.cancelled(); ++j)
+      for (const int t : rows[j])
       {
-        for (const int t : rows[j])
+        const Triangle& c = triangles[t];
+        const Vector2 &a = disc[c[0]], &b = disc[c[1]], &p = disc[c[2]];
+        const Vector2 u = b - a, v = p - a;
+        const double area = cross(u, v);
+        if (!(area > 0.0))
         {
-          const Triangle& c = triangles[t];
-          const Vector2 &a = disc[c[0]], &b = disc[c[1]], &p = disc[c[2]];
-          const Vector2 u = b - a, v = p - a;
-          const double area = cross(u, v);
-          if (!(area > 0.0))
+          continue;
+        }
+        const auto [low, high] = std::minmax({ a[0], b[0], p[0] });
+        const auto [left, right] = rowsWithin(low, high, size);
+        for (int i = left; i <= right; ++i)
+        {
+          const Vector2 d = discPlace(i, j, size) - a;
+          const double second = cross(d, v) / area, third = cross(u, d) / area, first = 1.0 - second - third;
+          // On an edge, by rounding, neither neighbour may have the texel: both do, with the same value.
+          if (std::min({ first, second, third }) >= -1e-9)
           {
-            continue;
-          }
-          const auto [low, high] = std::minmax({ a[0], b[0], p[0] });
-          const auto [left, right] = rowsWithin(low, high, size);
-          for (int i = left; i <= right; ++i)
-          {
-            const Vector2 d = discPlace(i, j, size) - a;
-            const double second = cross(d, v) / area, third = cross(u, d) / area,
-                         first = 1.0 - second - third;
-            // On an edge, by rounding, neither neighbour may have the texel: both do, with the same value.
-            if (std::min({ first, second, third }) >= -1e-9)
-            {
-              texels[static_cast<std::size_t>(j) * size + i] =
-                first * values[c[0]] + second * values[c[1]] + third * values[c[2]];
-            }
+            texels[static_cast<std::size_t>(j) * size + i] =
+              first * values[c[0]] + second * values[c[1]] + third * values[c[2]];
           }
         }
       }
@@ -105,48 +101,42 @@ AreaMask::AreaMask(const std::vector<char>& selected, int size, double feather, 
   // Exact: first along each row, then over the rows that are near enough to count.
   const int reach = static_cast<int>(std::ceil(this->Feather)) + 1;
   std::vector<int> across(selected.size(), 0);
-  context.parallelFor(size,
-    [&](int begin, int end)
+  context.eachUntilCancelled(size,
+    [&](int j)
     {
-      for (int j = begin; j < end && !context.cancelled(); ++j)
+      const std::size_t row = static_cast<std::size_t>(j) * size;
+      for (int i = 0, run = 0; i < size; ++i)
       {
-        const std::size_t row = static_cast<std::size_t>(j) * size;
-        for (int i = 0, run = 0; i < size; ++i)
-        {
-          run = selected[row + i] ? run + 1 : 0;
-          across[row + i] = run;
-        }
-        for (int i = size - 1, run = 0; i >= 0; --i)
-        {
-          run = selected[row + i] ? run + 1 : 0;
-          across[row + i] = std::min(across[row + i], run);
-        }
+        run = selected[row + i] ? run + 1 : 0;
+        across[row + i] = run;
+      }
+      for (int i = size - 1, run = 0; i >= 0; --i)
+      {
+        run = selected[row + i] ? run + 1 : 0;
+        across[row + i] = std::min(across[row + i], run);
       }
     });
-  context.parallelFor(size,
-    [&](int begin, int end)
+  context.eachUntilCancelled(size,
+    [&](int j)
     {
-      for (int j = begin; j < end && !context.cancelled(); ++j)
+      for (int i = 0; i < size; ++i)
       {
-        for (int i = 0; i < size; ++i)
+        const std::size_t at = static_cast<std::size_t>(j) * size + i;
+        if (!selected[at])
         {
-          const std::size_t at = static_cast<std::size_t>(j) * size + i;
-          if (!selected[at])
-          {
-            continue;
-          }
-          double least = static_cast<double>(across[at]) * across[at];
-          for (int dy = 1; dy <= reach && dy * dy < least; ++dy)
-          {
-            for (const int other : { j - dy, j + dy })
-            {
-              const double x =
-                other >= 0 && other < size ? across[static_cast<std::size_t>(other) * size + i] : 0;
-              least = std::min(least, x * x + dy * dy);
-            }
-          }
-          this->Depths[at] = static_cast<float>(std::min(std::sqrt(least) - 0.5, this->Feather + 0.5));
+          continue;
         }
+        double least = static_cast<double>(across[at]) * across[at];
+        for (int dy = 1; dy <= reach && dy * dy < least; ++dy)
+        {
+          for (const int other : { j - dy, j + dy })
+          {
+            const double x =
+              other >= 0 && other < size ? across[static_cast<std::size_t>(other) * size + i] : 0;
+            least = std::min(least, x * x + dy * dy);
+          }
+        }
+        this->Depths[at] = static_cast<float>(std::min(std::sqrt(least) - 0.5, this->Feather + 0.5));
       }
     });
   context.checkpoint(0.0);
@@ -216,14 +206,11 @@ AreaShares areaShares(const AreaMask& mask, const ShadedPlaces& places, const Co
   AreaShares result;
   result.shares.resize(places.uv.size());
   result.selects.resize(places.uv.size());
-  context.parallelFor(static_cast<int>(places.uv.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(places.uv.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        result.shares[i] = static_cast<float>(mask.share(places.uv[i]));
-        result.selects[i] = mask.selects(places.uv[i]);
-      }
+      result.shares[i] = static_cast<float>(mask.share(places.uv[i]));
+      result.selects[i] = mask.selects(places.uv[i]);
     });
   return result;
 }
@@ -238,23 +225,20 @@ Shading::Shading(const Layers& whole, const std::vector<ShadedArea>& areas, Fall
 std::vector<double> Shading::weights(const ShadedPlaces& places, const Context& context) const
 {
   std::vector<double> result(places.vertices.size());
-  context.parallelFor(static_cast<int>(result.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(result.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const double s = places.shares[i];
+      double weight = this->Whole.weight(s, this->Fall);
+      for (const ShadedArea& area : this->Areas)
       {
-        const double s = places.shares[i];
-        double weight = this->Whole.weight(s, this->Fall);
-        for (const ShadedArea& area : this->Areas)
+        const double share = static_cast<double>(area.where->shares[i]);
+        if (share > 0.0)
         {
-          const double share = static_cast<double>(area.where->shares[i]);
-          if (share > 0.0)
-          {
-            weight += share * (area.layers.weight(s, this->Fall) - weight);
-          }
+          weight += share * (area.layers.weight(s, this->Fall) - weight);
         }
-        result[i] = weight;
       }
+      result[i] = weight;
     });
   return result;
 }
@@ -262,15 +246,12 @@ std::vector<double> Shading::weights(const ShadedPlaces& places, const Context& 
 Shading::Table Shading::tableOf(const Layers& layers, const Context& context) const
 {
   Table table{ std::vector<float>(shadeSteps + 1), std::vector<unsigned char>(shadeSteps + 1) };
-  context.parallelFor(shadeSteps + 1,
-    [&](int begin, int end)
+  context.each(shadeSteps + 1,
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
-      {
-        const double s = static_cast<double>(i) / shadeSteps;
-        table.weights[i] = static_cast<float>(layers.weight(s, this->Fall));
-        table.greys[i] = static_cast<unsigned char>(layers.grey(layers.level(s)));
-      }
+      const double s = static_cast<double>(i) / shadeSteps;
+      table.weights[i] = static_cast<float>(layers.weight(s, this->Fall));
+      table.greys[i] = static_cast<unsigned char>(layers.grey(layers.level(s)));
     });
   return table;
 }
@@ -287,24 +268,21 @@ void Shading::paint(const ShadedPlaces& places,
     tables.push_back(this->tableOf(area.layers, context));
   }
   const std::size_t vertices = places.vertices.size();
-  context.parallelFor(static_cast<int>(places.texels.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(places.texels.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const int texel = places.texels[i];
+      const int step = places.steps[i];
+      float weight = whole.weights[step];
+      unsigned char grey = whole.greys[step];
+      for (std::size_t k = 0; k < tables.size(); ++k)
       {
-        const int texel = places.texels[i];
-        const int step = places.steps[i];
-        float weight = whole.weights[step];
-        unsigned char grey = whole.greys[step];
-        for (std::size_t k = 0; k < tables.size(); ++k)
-        {
-          const AreaShares& area = *this->Areas[k].where;
-          weight += area.shares[vertices + i] * (tables[k].weights[step] - weight);
-          grey = area.selects[vertices + i] ? tables[k].greys[step] : grey;
-        }
-        weights[texel] = weight;
-        greys[texel] = grey;
+        const AreaShares& area = *this->Areas[k].where;
+        weight += area.shares[vertices + i] * (tables[k].weights[step] - weight);
+        grey = area.selects[vertices + i] ? tables[k].greys[step] : grey;
       }
+      weights[texel] = weight;
+      greys[texel] = grey;
     });
   context.checkpoint(1.0);
 }

@@ -115,28 +115,20 @@ private:
 
 } // namespace
 
-int partCount(const Mesh& mesh)
-{
-  return (mesh.triangleCount() + trianglesOfPart - 1) / trianglesOfPart;
-}
-
 PicturePoints::PicturePoints(const Mesh& mesh, const View& view, const Context& context)
   : points(mesh.points.size(), Vector2::Zero())
   , nearness(mesh.points.size(), 1.0)
   , seen(mesh.points.size(), 0)
 {
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (view.inFront(mesh.points[v]))
       {
-        if (view.inFront(mesh.points[v]))
-        {
-          const Vector3 display = view.toDisplay(mesh.points[v]);
-          this->points[v] = display.head<2>();
-          this->nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
-          this->seen[v] = this->points[v].allFinite();
-        }
+        const Vector3 display = view.toDisplay(mesh.points[v]);
+        this->points[v] = display.head<2>();
+        this->nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
+        this->seen[v] = this->points[v].allFinite();
       }
     });
 }
@@ -192,22 +184,19 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& 
   const int length = axis == 1 ? window.width : window.height;
   // Per triangle its lines: low <= centre < high.
   std::vector<std::array<int, 2>> lines(triangles.size());
-  context.parallelFor(static_cast<int>(lines.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(lines.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const Triangle& t = triangles[i];
+      const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
+                   c = picture.points[t[2]][axis];
+      // Clamped before the cast, since a point near the eye may be anywhere.
+      const auto lineAt = [&](double at)
       {
-        const Triangle& t = triangles[i];
-        const double a = picture.points[t[0]][axis], b = picture.points[t[1]][axis],
-                     c = picture.points[t[2]][axis];
-        // Clamped before the cast, since a point near the eye may be anywhere.
-        const auto lineAt = [&](double at)
-        {
-          return static_cast<int>(
-            std::clamp(std::ceil(at - 0.5) - firstLine, 0.0, static_cast<double>(lineCount)));
-        };
-        lines[i] = { lineAt(std::min({ a, b, c })), lineAt(std::max({ a, b, c })) };
-      }
+        return static_cast<int>(
+          std::clamp(std::ceil(at - 0.5) - firstLine, 0.0, static_cast<double>(lineCount)));
+      };
+      lines[i] = { lineAt(std::min({ a, b, c })), lineAt(std::max({ a, b, c })) };
     });
   std::vector<std::size_t> offsets(static_cast<std::size_t>(lineCount) + 1, 0);
   for (const auto& [low, high] : lines)

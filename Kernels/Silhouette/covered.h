@@ -56,22 +56,22 @@ std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& 
 constexpr int trianglesOfPart = 8192;
 
 // Threads take parts of a mesh's triangles: how many there are.
-int partCount(const Mesh& mesh);
+inline int partCount(const Mesh& mesh)
+{
+  return (mesh.triangleCount() + trianglesOfPart - 1) / trianglesOfPart;
+}
 
 // Calls visit(part, triangle) for all triangles of the mesh, those of a part in their order.
 template <typename Visit>
 void eachTriangle(const Mesh& mesh, const Context& context, const Visit& visit)
 {
-  context.parallelFor(partCount(mesh),
-    [&](int begin, int end)
+  context.each(partCount(mesh),
+    [&](int part)
     {
-      for (int part = begin; part < end; ++part)
+      const int last = std::min((part + 1) * trianglesOfPart, mesh.triangleCount());
+      for (int t = part * trianglesOfPart; t < last; ++t)
       {
-        const int last = std::min((part + 1) * trianglesOfPart, mesh.triangleCount());
-        for (int t = part * trianglesOfPart; t < last; ++t)
-        {
-          visit(part, mesh.triangles[t]);
-        }
+        visit(part, mesh.triangles[t]);
       }
     });
 }

@@ -61,12 +61,6 @@ double distanceToHull(const Vector2& p, const Polyline& hull)
   return inside ? 0.0 : nearest;
 }
 
-double areaOf(const Mesh& mesh, const Triangle& t)
-{
-  const Vector3 &a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
-  return 0.5 * (b - a).cross(c - a).norm();
-}
-
 void measureTriangles(const Mesh& before,
   const Mesh& after,
   const std::vector<char>& region,
@@ -74,14 +68,7 @@ void measureTriangles(const Mesh& before,
   StrokeEffect& effect)
 {
   std::vector<double> areas(before.triangles.size());
-  context.parallelFor(before.triangleCount(),
-    [&](int begin, int end)
-    {
-      for (int t = begin; t < end; ++t)
-      {
-        areas[t] = areaOf(before, before.triangles[t]);
-      }
-    });
+  context.each(before.triangleCount(), [&](int t) { areas[t] = facetArea(before, t); });
   double all = 0.0, moved = 0.0;
   std::vector<double> ratios;
   for (int i = 0; i < before.triangleCount(); ++i)
@@ -137,12 +124,7 @@ double backAlong(std::vector<OutlineLoop> loops,
   const std::vector<OutlineLoop>& further)
 {
   loops.insert(loops.end(), further.begin(), further.end());
-  std::vector<NearestPlace> places;
-  places.reserve(loops.size());
-  for (const OutlineLoop& loop : loops)
-  {
-    places.emplace_back(loop.points, loop.closed);
-  }
+  const std::vector<NearestPlace> places = nearestPlaces(loops);
   const std::vector<double> length = arcLengths(stroke);
   // Of each loop the place nearest to one of the stroke; none where another loop comes 2 px nearer.
   const auto nearestTo = [&](double share)
@@ -233,22 +215,19 @@ void measureMovement(const Mesh& before,
     double movement = 0.0, distance = 0.0; // px; from the hull
   };
   std::vector<Step> steps(before.points.size());
-  context.parallelFor(before.vertexCount(),
-    [&](int begin, int end)
+  context.each(before.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
       {
-        if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
-        {
-          continue;
-        }
-        const Vector2 was = view.toDisplay(before.points[v]).head<2>();
-        const Vector2 is = view.toDisplay(after.points[v]).head<2>();
-        constexpr double seen = 2.5; // px
-        steps[v].movement = (is - was).norm();
-        steps[v].distance =
-          steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
+        return;
       }
+      const Vector2 was = view.toDisplay(before.points[v]).head<2>();
+      const Vector2 is = view.toDisplay(after.points[v]).head<2>();
+      constexpr double seen = 2.5; // px
+      steps[v].movement = (is - was).norm();
+      steps[v].distance =
+        steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
     });
   for (const Step& step : steps)
   {

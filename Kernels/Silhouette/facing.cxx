@@ -121,32 +121,25 @@ double backShare(const Mesh& mesh, const View& view, const Context& context)
   const FacingGrid grid(view);
   std::vector<Vector3> screen(mesh.points.size());
   std::vector<char> seen(mesh.points.size(), 0);
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        seen[v] = view.inFront(mesh.points[v]);
-        screen[v] = seen[v] ? view.toScreen(mesh.points[v]) : Vector3::Zero();
-      }
+      seen[v] = view.inFront(mesh.points[v]);
+      screen[v] = seen[v] ? view.toScreen(mesh.points[v]) : Vector3::Zero();
     });
   // The bands that each triangle reaches into: the first, and one past the last.
   std::vector<std::array<int, 2>> reach(mesh.triangles.size(), { 0, 0 });
-  context.parallelFor(mesh.triangleCount(),
-    [&](int begin, int end)
+  context.each(mesh.triangleCount(),
+    [&](int i)
     {
-      for (int i = begin; i < end; ++i)
+      const Triangle& t = mesh.triangles[i];
+      if (seen[t[0]] && seen[t[1]] && seen[t[2]])
       {
-        const Triangle& t = mesh.triangles[i];
-        if (seen[t[0]] && seen[t[1]] && seen[t[2]])
+        const auto [low, high] = std::minmax({ screen[t[0]][1], screen[t[1]][1], screen[t[2]][1] });
+        const int first = grid.from(low, grid.rows), last = grid.from(std::nextafter(high, 1e300), grid.rows);
+        if (first < last)
         {
-          const auto [low, high] = std::minmax({ screen[t[0]][1], screen[t[1]][1], screen[t[2]][1] });
-          const int first = grid.from(low, grid.rows),
-                    last = grid.from(std::nextafter(high, 1e300), grid.rows);
-          if (first < last)
-          {
-            reach[i] = { first / rowsOfBand, (last - 1) / rowsOfBand + 1 };
-          }
+          reach[i] = { first / rowsOfBand, (last - 1) / rowsOfBand + 1 };
         }
       }
     });
@@ -160,19 +153,16 @@ double backShare(const Mesh& mesh, const View& view, const Context& context)
     }
   }
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
-  context.parallelFor(bands,
-    [&](int begin, int end)
+  context.eachUntilCancelled(bands,
+    [&](int band)
     {
-      for (int band = begin; band < end && !context.cancelled(); ++band)
+      FacingBand front(grid, band * rowsOfBand);
+      for (const int i : drawn[static_cast<std::size_t>(band)])
       {
-        FacingBand front(grid, band * rowsOfBand);
-        for (const int i : drawn[static_cast<std::size_t>(band)])
-        {
-          const Triangle& t = mesh.triangles[i];
-          front.draw(screen[t[0]], screen[t[1]], screen[t[2]]);
-        }
-        counts[static_cast<std::size_t>(band)] = front.counts();
+        const Triangle& t = mesh.triangles[i];
+        front.draw(screen[t[0]], screen[t[1]], screen[t[2]]);
       }
+      counts[static_cast<std::size_t>(band)] = front.counts();
     });
   BandCounts all;
   for (const BandCounts& one : counts)

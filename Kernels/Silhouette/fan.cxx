@@ -47,15 +47,13 @@ bool walkFan(const Mesh& mesh,
 
 int triangleWith(const Mesh& mesh, const Adjacency& adjacency, const Support& support)
 {
-  const Lists& lists = adjacency.vertexTriangles;
-  for (const int* t = lists.begin(support.vertices[0]); t != lists.end(support.vertices[0]); ++t)
+  for (const int t : adjacency.vertexTriangles[support.vertices[0]])
   {
-    const Triangle& corners = mesh.triangles[*t];
     if (std::all_of(support.vertices,
           support.vertices + support.count,
-          [&](int v) { return v == corners[0] || v == corners[1] || v == corners[2]; }))
+          [&](int v) { return cornerOf(mesh.triangles[t], v) >= 0; }))
     {
-      return *t;
+      return t;
     }
   }
   return -1;
@@ -85,7 +83,7 @@ int Fan::placeOf(const Binding& binding) const
 Fan fanOf(const Mesh& mesh, const Adjacency& adjacency, int centre, int triangle)
 {
   const Triangle& corners = mesh.triangles[triangle];
-  const int k = static_cast<int>(std::find(corners.begin(), corners.end(), centre) - corners.begin());
+  const int k = cornerOf(corners, centre);
   const int a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
   Fan fan{ centre, { a, b }, false };
   fan.closed = walkFan(mesh, adjacency, centre, triangle, b, fan.link);

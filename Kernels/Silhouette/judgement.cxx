@@ -28,6 +28,16 @@ bool narrow(const Mesh& mesh, const Triangle& t)
   return false;
 }
 
+double leastDistance(const std::vector<NearestPlace>& places, const Vector2& p)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const NearestPlace& place : places)
+  {
+    least = std::min(least, place(p, least).distance);
+  }
+  return least;
+}
+
 } // namespace
 
 JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
@@ -115,14 +125,8 @@ int foldedEdges(const Mesh& mesh,
   }
   const double limit = std::cos(100.0 * M_PI / 180.0);
   std::vector<char> folded(pairs.size(), 0);
-  context.parallelFor(static_cast<int>(pairs.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit;
-      }
-    });
+  context.each(static_cast<int>(pairs.size()),
+    [&](int i) { folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit; });
   return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 
@@ -198,16 +202,9 @@ OutlineError outlineError(const StrokeOutline& outline, const std::vector<Outlin
   const std::vector<double> length = arcLengths(stroke);
   const auto measure = [&](const std::vector<OutlineLoop>& traced)
   {
-    std::vector<NearestPlace> loops;
-    loops.reserve(traced.size() + further.size());
-    for (const OutlineLoop& loop : traced)
-    {
-      loops.emplace_back(loop.points, loop.closed);
-    }
-    for (const OutlineLoop& line : further)
-    {
-      loops.emplace_back(line.points, line.closed);
-    }
+    std::vector<OutlineLoop> lines = traced;
+    lines.insert(lines.end(), further.begin(), further.end());
+    const std::vector<NearestPlace> places = nearestPlaces(lines);
     OutlineError error;
     int counted = 0;
     for (std::size_t i = 0; i < stroke.size(); ++i)
@@ -216,11 +213,7 @@ OutlineError outlineError(const StrokeOutline& outline, const std::vector<Outlin
       {
         continue;
       }
-      double nearest = std::numeric_limits<double>::infinity();
-      for (const NearestPlace& loop : loops)
-      {
-        nearest = std::min(nearest, loop(stroke[i], nearest).distance);
-      }
+      const double nearest = leastDistance(places, stroke[i]);
       error.mean += nearest;
       error.worst = std::max(error.worst, nearest);
       ++counted;
@@ -234,13 +227,8 @@ OutlineError outlineError(const StrokeOutline& outline, const std::vector<Outlin
 
 double missedBeside(const StrokeOutline& outline)
 {
-  const std::vector<OutlineLoop> loops = outline.whole();
-  std::vector<NearestPlace> places;
-  places.reserve(loops.size());
-  for (const OutlineLoop& loop : loops)
-  {
-    places.emplace_back(loop.points, loop.closed);
-  }
+  const std::vector<OutlineLoop>& loops = outline.whole();
+  const std::vector<NearestPlace> places = nearestPlaces(loops);
   const auto isCovered = [&](const Vector2& p)
   {
     bool covered = false;
@@ -256,11 +244,7 @@ double missedBeside(const StrokeOutline& outline)
   double worst = 0.0;
   for (const Vector2& p : outline.stroke())
   {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const NearestPlace& place : places)
-    {
-      nearest = std::min(nearest, place(p, nearest).distance);
-    }
+    const double nearest = leastDistance(places, p);
     if (nearest > worst && !isCovered(p))
     {
       worst = nearest;

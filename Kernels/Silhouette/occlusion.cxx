@@ -33,8 +33,7 @@ struct PointGrid
 {
   Real bounds[6]; // x and y of the least and the greatest point, cells per unit in x and y
   int columns = 1, rows = 1;
-  std::vector<int> cellStarts; // one more than there are cells
-  std::vector<int> cellPoints;
+  Lists cells;                         // the points in each
   std::vector<Point<Real>> cellPlaces; // where those are
   std::vector<Point<Real>> points;
   std::vector<std::array<int, 3>> pointVertices;
@@ -70,27 +69,15 @@ struct PointGrid
     this->bounds[3] = high[1];
     this->bounds[4] = this->columns > 1 ? static_cast<Real>(this->columns) / (high[0] - low[0]) : Real(0);
     this->bounds[5] = this->rows > 1 ? static_cast<Real>(this->rows) / (high[1] - low[1]) : Real(0);
-    std::vector<int> cells;
-    this->cellStarts.assign(static_cast<std::size_t>(this->columns) * this->rows + 1, 0);
-    for (const Point<Real>& p : this->points)
-    {
-      cells.push_back(this->row(p.y) * this->columns + this->column(p.x));
-      ++this->cellStarts[cells.back() + 1];
-    }
-    for (std::size_t i = 1; i < this->cellStarts.size(); ++i)
-    {
-      this->cellStarts[i] += this->cellStarts[i - 1];
-    }
-    std::vector<int> next(this->cellStarts.begin(), this->cellStarts.end() - 1);
-    this->cellPoints.resize(this->points.size());
-    for (int i = 0; i < static_cast<int>(this->points.size()); ++i)
-    {
-      this->cellPoints[next[cells[i]]++] = i;
-    }
-    for (const int i : this->cellPoints)
-    {
-      this->cellPlaces.push_back(this->points[i]);
-    }
+    this->cells = Lists::gathered(static_cast<std::size_t>(this->columns) * this->rows,
+      [&](const auto& visit)
+      {
+        for (int i = 0; i < static_cast<int>(this->points.size()); ++i)
+        {
+          visit(this->row(this->points[i].y) * this->columns + this->column(this->points[i].x), i);
+        }
+      });
+    this->cellPlaces = valuesAt(this->points, this->cells.values);
   }
 };
 
@@ -113,10 +100,9 @@ public:
     {
       for (int column = 0; column < grid.columns; ++column)
       {
-        const int cell = row * grid.columns + column;
-        const int count = grid.cellStarts[cell + 1] - grid.cellStarts[cell];
-        this->at(column + 1, row + 1) =
-          count + this->at(column, row + 1) + this->at(column + 1, row) - this->at(column, row);
+        this->at(column + 1, row + 1) = grid.cells.size(row * grid.columns + column) +
+                                        this->at(column, row + 1) + this->at(column + 1, row) -
+                                        this->at(column, row);
       }
     }
   }
@@ -174,8 +160,8 @@ void testTriangle(const Triangle& t,
   const int lastRow = grid.row(high);
   for (int row = grid.row(low); row <= lastRow; ++row)
   {
-    const int end = grid.cellStarts[row * grid.columns + lastColumn + 1];
-    for (int k = grid.cellStarts[row * grid.columns + firstColumn]; k < end; ++k)
+    const int end = grid.cells.offsets[row * grid.columns + lastColumn + 1];
+    for (int k = grid.cells.offsets[row * grid.columns + firstColumn]; k < end; ++k)
     {
       const Point<Real>& p = grid.cellPlaces[k];
       if (p.x < left || p.x > right || p.y < low || p.y > high)
@@ -189,7 +175,7 @@ void testTriangle(const Triangle& t,
       {
         continue;
       }
-      const int i = grid.cellPoints[k];
+      const int i = grid.cells.values[k];
       const std::array<int, 3>& own = grid.pointVertices[i];
       if (std::none_of(t.begin(), t.end(), [&](int v) { return v == own[0] || v == own[1] || v == own[2]; }))
       {
@@ -213,19 +199,16 @@ std::vector<Vector3> projectVertices(const Mesh& mesh, const View& view, const C
 {
   std::vector<Vector3> screen(mesh.points.size());
   const double nearest = -1e-6 * boundingDiagonal(mesh);
-  context.parallelFor(mesh.vertexCount(),
-    [&](int begin, int end)
+  context.each(mesh.vertexCount(),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
+      if (view.perspective() && !(view.depth(mesh.points[v]) < nearest))
       {
-        if (view.perspective() && !(view.depth(mesh.points[v]) < nearest))
-        {
-          screen[v] = Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity());
-        }
-        else
-        {
-          screen[v] = view.toScreen(mesh.points[v]);
-        }
+        screen[v] = Vector3(0.0, 0.0, -std::numeric_limits<double>::infinity());
+      }
+      else
+      {
+        screen[v] = view.toScreen(mesh.points[v]);
       }
     });
   return screen;
@@ -245,14 +228,11 @@ std::vector<char> occludedOnHost(const Mesh& mesh,
   const QueryCounts<Real> counts(grid);
   std::vector<Point<Real>> points(screen.size());
   std::vector<Cell> cells(screen.size());
-  context.parallelFor(static_cast<int>(screen.size()),
-    [&](int begin, int end)
+  context.each(static_cast<int>(screen.size()),
+    [&](int v)
     {
-      for (int v = begin; v < end; ++v)
-      {
-        points[v] = toPoint<Real>(screen[v]);
-        cells[v] = { grid.column(points[v].x), grid.row(points[v].y) };
-      }
+      points[v] = toPoint<Real>(screen[v]);
+      cells[v] = { grid.column(points[v].x), grid.row(points[v].y) };
     });
   // Several threads may hide one point: all of them write 1, so who comes first does not matter.
   std::vector<std::atomic<char>> hidden(queries.size());
@@ -296,8 +276,8 @@ std::vector<char> occludedOnDevice(Device& device,
       const cl::Buffer inputs[] = { toDevice(device, mesh.triangles),
         toDevice(device, toPoints<Real>(screen)),
         toDevice(device, std::vector<Real>(grid.bounds, grid.bounds + 6)),
-        toDevice(device, grid.cellStarts),
-        toDevice(device, grid.cellPoints),
+        toDevice(device, grid.cells.offsets),
+        toDevice(device, grid.cells.values),
         toDevice(device, grid.points),
         toDevice(device, grid.pointVertices) };
       int argument = 0;

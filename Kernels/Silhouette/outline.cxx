@@ -130,25 +130,9 @@ private:
       }
       return false;
     };
-    const int count = static_cast<int>(picture.triangles.size());
     std::vector<char> keep(picture.triangles.size(), 0);
-    context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        for (int t = begin; t < end; ++t)
-        {
-          keep[t] = chosen(picture.triangles[t]);
-        }
-      });
-    std::vector<Triangle> triangles;
-    for (int t = 0; t < count; ++t)
-    {
-      if (keep[t])
-      {
-        triangles.push_back(picture.triangles[t]);
-      }
-    }
-    return triangles;
+    context.each(static_cast<int>(keep.size()), [&](int t) { keep[t] = chosen(picture.triangles[t]); });
+    return valuesAt(picture.triangles, marked(keep));
   }
 
   PixelWindow Window;
@@ -207,11 +191,7 @@ PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& st
   }
   if (box.sizes().maxCoeff() > largestWindow - 4)
   {
-    Eigen::AlignedBox2d focus;
-    for (const Vector2& p : stroke)
-    {
-      focus.extend(p);
-    }
+    Eigen::AlignedBox2d focus = boxRound(stroke);
     if (stroke.empty())
     {
       focus.extend(Vector2(0.0, 0.0));
@@ -229,11 +209,7 @@ PixelWindow outlineWindow(const Mesh& mesh, const View& view, const Polyline& st
 
 PixelWindow strokeWindow(const Polyline& stroke, double margin)
 {
-  Eigen::AlignedBox2d box;
-  for (const Vector2& p : stroke)
-  {
-    box.extend(p);
-  }
+  const Eigen::AlignedBox2d box = boxRound(stroke);
   const Vector2 half = (0.5 * box.sizes() + Vector2::Constant(margin)).cwiseMin(0.5 * (largestWindow - 4));
   return pixelsOf({ Vector2(box.center() - half), Vector2(box.center() + half) });
 }
@@ -360,6 +336,16 @@ const std::vector<OutlineLoop>& StrokeOutline::whole() const
     this->Whole = traceOutline(*this->Model, this->Seen, window, this->Caller);
   }
   return *this->Whole;
+}
+
+std::vector<NearestPlace> nearestPlaces(const std::vector<OutlineLoop>& loops)
+{
+  std::vector<NearestPlace> places;
+  for (const OutlineLoop& loop : loops)
+  {
+    places.emplace_back(loop.points, loop.closed);
+  }
+  return places;
 }
 
 Polyline smoothLoop(const Polyline& points, bool closed)

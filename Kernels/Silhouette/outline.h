@@ -74,6 +74,9 @@ private:
   mutable std::optional<std::vector<OutlineLoop>> Nearby, Whole;
 };
 
+// The places on each of them that are nearest to a point.
+std::vector<NearestPlace> nearestPlaces(const std::vector<OutlineLoop>& loops);
+
 // Each point replaced by the (1, 4, 6, 4, 1) / 16 mean of its neighbours along the loop; open ends stay.
 Polyline smoothLoop(const Polyline& points, bool closed);
 

@@ -386,17 +386,14 @@ Polyline openStroke(const std::vector<MatchCandidate>& candidates,
     }
   }
   context.checkpoint(0.0);
-  context.parallelFor(static_cast<int>(openings.size()),
-    [&](int begin, int end)
+  context.eachUntilCancelled(static_cast<int>(openings.size()),
+    [&](int i)
     {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
+      Opening& opening = openings[static_cast<std::size_t>(i)];
+      const std::vector<CandidatePart> found = findShapes(candidates, restOf(opening));
+      if (!found.empty())
       {
-        Opening& opening = openings[static_cast<std::size_t>(i)];
-        const std::vector<CandidatePart> found = findShapes(candidates, restOf(opening));
-        if (!found.empty())
-        {
-          opening.score = found.front().score + 0.05 * opening.left;
-        }
+        opening.score = found.front().score + 0.05 * opening.left;
       }
     });
   context.checkpoint(1.0);

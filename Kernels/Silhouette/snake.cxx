@@ -501,47 +501,10 @@ double smoothness(const CurvePoint& before, const CurvePoint& at, const CurvePoi
 namespace
 {
 
-std::vector<Curve> smoothed(const std::vector<Curve>& curves,
-  const Mesh& mesh,
-  const Adjacency& adjacency,
-  const std::vector<Vector3>& normals,
-  const View& view,
-  double epsilon,
-  const Context& context)
-{
-  context.checkpoint(0.0);
-  std::vector<Curve> done(curves.size());
-  // The longest first, each by whoever is free: one curve, the outline, can take half of the time.
-  std::vector<int> order(curves.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(),
-    order.end(),
-    [&](int a, int b) { return curves[a].points.size() > curves[b].points.size(); });
-  std::atomic<int> taken{ 0 };
-  context.parallelFor(static_cast<int>(curves.size()),
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end && !context.cancelled(); ++i)
-      {
-        const int curve = order[taken++];
-        done[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
-      }
-    });
-  context.checkpoint(1.0);
-  done.erase(
-    std::remove_if(done.begin(), done.end(), [](const Curve& curve) { return curve.points.size() < 2; }),
-    done.end());
-  return done;
-}
-
 // The middle of a mesh that lies more than sixteen times its size from the origin; zeros for others.
 Vector3 farMiddle(const Mesh& mesh)
 {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& p : mesh.points)
-  {
-    box.extend(p);
-  }
+  const Eigen::AlignedBox3d box = boxRound(mesh.points);
   constexpr double farAway = 16.0;
   const bool isFar = !box.isEmpty() && box.center().norm() > farAway * box.diagonal().norm();
   return isFar ? Vector3(box.center()) : Vector3(Vector3::Zero());
@@ -571,22 +534,42 @@ std::vector<Curve> smoothSilhouette(const std::vector<Curve>& curves,
   const Context& context)
 {
   const Vector3 origin = farMiddle(mesh);
-  if (origin.isZero(0.0))
+  if (!origin.isZero(0.0))
   {
-    return smoothed(curves, mesh, adjacency, normals, view, epsilon, context);
+    Mesh near = mesh;
+    for (Vector3& p : near.points)
+    {
+      p -= origin;
+    }
+    std::vector<Curve> moved = curves;
+    move(moved, -origin);
+    Eigen::Matrix4d there = Eigen::Matrix4d::Identity();
+    there.topRightCorner<3, 1>() = origin;
+    const View nearView(
+      view.viewTransform() * there, view.projectionTransform(), view.width(), view.height());
+    std::vector<Curve> done = smoothSilhouette(moved, near, adjacency, normals, nearView, epsilon, context);
+    move(done, origin);
+    return done;
   }
-  Mesh near = mesh;
-  for (Vector3& p : near.points)
-  {
-    p -= origin;
-  }
-  std::vector<Curve> moved = curves;
-  move(moved, -origin);
-  Eigen::Matrix4d there = Eigen::Matrix4d::Identity();
-  there.topRightCorner<3, 1>() = origin;
-  const View nearView(view.viewTransform() * there, view.projectionTransform(), view.width(), view.height());
-  std::vector<Curve> done = smoothed(moved, near, adjacency, normals, nearView, epsilon, context);
-  move(done, origin);
+  context.checkpoint(0.0);
+  std::vector<Curve> done(curves.size());
+  // The longest first, each by whoever is free: one curve, the outline, can take half of the time.
+  std::vector<int> order(curves.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(),
+    order.end(),
+    [&](int a, int b) { return curves[a].points.size() > curves[b].points.size(); });
+  std::atomic<int> taken{ 0 };
+  context.eachUntilCancelled(static_cast<int>(curves.size()),
+    [&](int)
+    {
+      const int curve = order[taken++];
+      done[curve] = Snake(curves[curve], mesh, adjacency, normals, view, epsilon).run(context);
+    });
+  context.checkpoint(1.0);
+  done.erase(
+    std::remove_if(done.begin(), done.end(), [](const Curve& curve) { return curve.points.size() < 2; }),
+    done.end());
   return done;
 }
 

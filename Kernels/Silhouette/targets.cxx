@@ -25,6 +25,16 @@ Vector2 directionAt(const Polyline& points, const std::vector<double>& lengths, 
          placeAt(lengths, count, length - reach).of(points);
 }
 
+Polyline displayOf(const std::vector<SectionPoint>& section)
+{
+  Polyline curve;
+  for (const SectionPoint& p : section)
+  {
+    curve.push_back(p.display);
+  }
+  return curve;
+}
+
 // The layers of handles, and which of them stay (see keepOneLayer).
 class LayerChooser
 {
@@ -41,12 +51,7 @@ public:
     , Count(static_cast<int>(handles.size()))
     , Leader(handles.size())
   {
-    Polyline curve;
-    for (const SectionPoint& p : section)
-    {
-      curve.push_back(p.display);
-    }
-    this->Along = arcLengths(curve);
+    this->Along = arcLengths(displayOf(section));
     this->joinNeighbours();
     if (this->rankLayers())
     {
@@ -65,19 +70,7 @@ public:
 
   std::vector<Handle> kept() const
   {
-    if (this->Kept.empty())
-    {
-      return this->Handles; // of one layer
-    }
-    std::vector<Handle> result;
-    for (int h = 0; h < this->Count; ++h)
-    {
-      if (this->Kept[h])
-      {
-        result.push_back(this->Handles[h]);
-      }
-    }
-    return result;
+    return this->Kept.empty() ? this->Handles : valuesAt(this->Handles, marked(this->Kept));
   }
 
 private:
@@ -124,11 +117,11 @@ private:
     {
       for (const int v : this->verticesOf(h))
       {
-        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        for (const int n : neighbours[v])
         {
-          if (handleAt[*n] >= 0)
+          if (handleAt[n] >= 0)
           {
-            this->join(h, handleAt[*n]);
+            this->join(h, handleAt[n]);
           }
         }
       }
@@ -177,9 +170,9 @@ private:
       const SectionPoint& q = this->pointOf(h);
       for (const int v : q.binding.vertices)
       {
-        for (const int* n = neighbours.begin(v); n != neighbours.end(v); ++n)
+        for (const int n : neighbours[v])
         {
-          this->Edge += (this->Model.points[*n] - this->Model.points[v]).norm();
+          this->Edge += (this->Model.points[n] - this->Model.points[v]).norm();
           ++edges;
         }
       }
@@ -309,11 +302,7 @@ std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
   const View& view,
   double omega)
 {
-  Polyline curve;
-  for (const SectionPoint& p : section)
-  {
-    curve.push_back(p.display);
-  }
+  const Polyline curve = displayOf(section);
   const std::vector<double> along = arcLengths(curve);
   const std::vector<double> strokeAlong = arcLengths(stroke);
   const auto bound = std::count_if(
@@ -401,12 +390,8 @@ std::vector<OutlineCorrection> correctOutline(const Mesh& deformed,
   const Context& context)
 {
   constexpr double onOutline = 1.0; // px; the loop runs between pixel centres and cuts sharper corners
-  std::vector<NearestPlace> loops;
   const PixelWindow window = strokeWindow(stroke, reach + 2.0 * onOutline + 2.0);
-  for (const OutlineLoop& loop : traceOutline(deformed, view, window, context))
-  {
-    loops.emplace_back(loop.points, loop.closed);
-  }
+  const std::vector<NearestPlace> loops = nearestPlaces(traceOutline(deformed, view, window, context));
   const NearestPlace pen(stroke);
   const std::vector<double> lengths = arcLengths(stroke);
   std::vector<OutlineCorrection> corrections;

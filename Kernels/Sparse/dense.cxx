@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #define OVERSKETCH_INLINE inline __attribute__((always_inline))
 
@@ -358,64 +359,58 @@ OVERSKETCH_INLINE void backwardColumns(const double* l, int ld, int first, doubl
   }
 }
 
+// Calls take(C, k) for C columns from column k on: as many as the registers hold at a time, then 4, 2 and 1.
+template <int W, typename Take>
+OVERSKETCH_INLINE void forColumns(int columns, const Take& take)
+{
+  constexpr int C = tileColumns<W>;
+  int k = 0;
+  for (; k + C <= columns; k += C)
+  {
+    take(std::integral_constant<int, C>(), k);
+  }
+  if (C > 4 && k + 4 <= columns)
+  {
+    take(std::integral_constant<int, 4>(), k);
+    k += 4;
+  }
+  if (k + 2 <= columns)
+  {
+    take(std::integral_constant<int, 2>(), k);
+    k += 2;
+  }
+  if (k < columns)
+  {
+    take(std::integral_constant<int, 1>(), k);
+  }
+}
+
 template <int W, int S>
 OVERSKETCH_INLINE void forwardAny(const double* l, int height, int count, double* x)
 {
-  constexpr int C = tileColumns<W>;
   for (int j = 0; j < count; j += 8)
   {
     const int columns = std::min(8, count - j);
     const double* strip = l + static_cast<long>(j) * height;
     forwardCorner<S>(strip + j, height, columns, x + j);
-    int k = 0;
-    for (; k + C <= columns; k += C)
-    {
-      forwardColumns<W, S, C>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-    }
-    if (C > 4 && k + 4 <= columns)
-    {
-      forwardColumns<W, S, 4>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-      k += 4;
-    }
-    if (k + 2 <= columns)
-    {
-      forwardColumns<W, S, 2>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-      k += 2;
-    }
-    if (k < columns)
-    {
-      forwardColumns<W, S, 1>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-    }
+    forColumns<W>(
+      columns, [&](auto C, int k) __attribute__((always_inline)) {
+        forwardColumns<W, S, C.value>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      });
   }
 }
 
 template <int W, int S>
 OVERSKETCH_INLINE void backwardAny(const double* l, int height, int count, double* x)
 {
-  constexpr int C = tileColumns<W>;
   for (int j = roundedUp(count, 8) - 8; j >= 0; j -= 8)
   {
     const int columns = std::min(8, count - j);
     const double* strip = l + static_cast<long>(j) * height;
-    int k = 0;
-    for (; k + C <= columns; k += C)
-    {
-      backwardColumns<W, S, C>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-    }
-    if (C > 4 && k + 4 <= columns)
-    {
-      backwardColumns<W, S, 4>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-      k += 4;
-    }
-    if (k + 2 <= columns)
-    {
-      backwardColumns<W, S, 2>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-      k += 2;
-    }
-    if (k < columns)
-    {
-      backwardColumns<W, S, 1>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
-    }
+    forColumns<W>(
+      columns, [&](auto C, int k) __attribute__((always_inline)) {
+        backwardColumns<W, S, C.value>(strip + static_cast<long>(k) * height, height, j + 8, x + j + k, x);
+      });
     backwardCorner<S>(strip + j, height, columns, x + j);
   }
 }

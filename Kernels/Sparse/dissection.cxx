@@ -300,17 +300,14 @@ Dissection dissect(const Lists& pattern,
     context.checkpoint(0.0);
     const std::size_t end = tree.size();
     std::vector<std::array<int, 2>> borders(end - begin);
-    context.parallelFor(static_cast<int>(end - begin),
-      [&](int first, int last)
+    context.eachUntilCancelled(static_cast<int>(end - begin),
+      [&](int i)
       {
-        for (int i = first; i < last && !context.cancelled(); ++i)
+        const Dissection::Part& part = tree[begin + static_cast<std::size_t>(i)];
+        borders[i] = { part.first, part.first };
+        if (part.count > smallest)
         {
-          const Dissection::Part& part = tree[begin + static_cast<std::size_t>(i)];
-          borders[i] = { part.first, part.first };
-          if (part.count > smallest)
-          {
-            borders[i] = dissector.cut(part.first, part.first + part.count);
-          }
+          borders[i] = dissector.cut(part.first, part.first + part.count);
         }
       });
     context.checkpoint(0.0);

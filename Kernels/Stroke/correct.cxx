@@ -10,17 +10,6 @@ namespace oversketch
 namespace
 {
 
-Resketched unchanged(const Polyline& points, bool isFresh)
-{
-  Resketched result{ points, {} };
-  for (int i = 0; i < static_cast<int>(points.size()); ++i)
-  {
-    const Blend place = Blend::point(i), none = Blend::point(0);
-    result.origins.push_back(isFresh ? Origin{ none, place, 1.0 } : Origin{ place, none, 0.0 });
-  }
-  return result;
-}
-
 // A closed curve by its length from the first point on.
 struct Ring
 {
@@ -59,11 +48,7 @@ struct Ring
   Vector2 at(double place) const
   {
     const double wrapped = place >= this->length() ? place - this->length() : place;
-    const auto next = std::upper_bound(this->lengths.begin() + 1, this->lengths.end() - 1, wrapped);
-    const int i = static_cast<int>(next - this->lengths.begin()) - 1;
-    const double step = this->lengths[i + 1] - this->lengths[i];
-    const double t = step > 0.0 ? (wrapped - this->lengths[i]) / step : 0.0;
-    return (1.0 - t) * this->points[i] + t * this->points[(i + 1) % this->count()];
+    return placeAt(this->lengths, this->count(), wrapped).of(this->points);
   }
   // Of the arc from one place on to another, passing the start where it lies between.
   double span(double from, double to) const { return to >= from ? to - from : to - from + this->length(); }
@@ -180,8 +165,6 @@ Resketched extended(const Polyline& old, const Polyline& fresh, bool fromFront, 
 
 Resketched resketchClosed(const Polyline& old, const Polyline& fresh, const ResketchRules& rules)
 {
-  const auto differs = [](const Polyline& curve)
-  { return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); }); };
   if (!differs(old) || !differs(fresh))
   {
     return unchanged(old, false);
@@ -252,8 +235,7 @@ Correction corrected(const std::vector<CanvasStroke>& strokes,
   double radius,
   double spacing)
 {
-  if (!std::all_of(fresh.begin(), fresh.end(), [](const Vector2& p) { return p.allFinite(); }) ||
-      std::none_of(fresh.begin(), fresh.end(), [&](const Vector2& p) { return p != fresh.front(); }))
+  if (!allFinite(fresh) || !differs(fresh))
   {
     throw Error(Failure::BadStroke, "a correction needs two distinct points, all finite; draw a longer one");
   }

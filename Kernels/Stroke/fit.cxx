@@ -1,6 +1,7 @@
 #include "Stroke/fit.h"
 
 #include "Mesh/context.h"
+#include "Mesh/shape.h"
 #include "Stroke/resample.h"
 #include "Stroke/stroke.h"
 
@@ -14,15 +15,10 @@ namespace oversketch
 namespace
 {
 
-double side(const Vector2& a, const Vector2& b, const Vector2& p)
-{
-  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
-}
-
 // Whether two segments cross each other between their ends.
 bool crosses(const Vector2& a, const Vector2& b, const Vector2& c, const Vector2& d)
 {
-  return side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
+  return cross(b - a, c - a) * cross(b - a, d - a) < 0.0 && cross(d - c, a - c) * cross(d - c, b - c) < 0.0;
 }
 
 double lengthOf(const Polyline& points, const std::vector<int>& ids, std::size_t from, std::size_t to)
@@ -182,23 +178,15 @@ std::vector<int> withoutLoops(const Polyline& polygon)
 
 FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rules, const SpaceSamples* space)
 {
-  for (const Vector2& sample : samples)
+  if (!allFinite(samples))
   {
-    if (!sample.allFinite())
-    {
-      throw Error(Failure::BadStroke, "it has a sample that is not finite; record the stroke again.");
-    }
+    throw Error(Failure::BadStroke, "it has a sample that is not finite; record the stroke again.");
   }
   FittedStroke fitted;
   fitted.closed = closed;
   fitted.kept = thinEvenly(samples, rules.spacing, closed);
-  for (const int kept : fitted.kept)
-  {
-    fitted.controls.push_back(samples[kept]);
-  }
-  const bool point = std::all_of(fitted.controls.begin(),
-    fitted.controls.end(),
-    [&](const Vector2& control) { return control == fitted.controls.front(); });
+  fitted.controls = valuesAt(samples, fitted.kept);
+  const bool point = !differs(fitted.controls);
   if (point || arcLengths(fitted.controls, closed).back() > longestStroke)
   {
     throw Error(Failure::BadStroke,
@@ -207,15 +195,9 @@ FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rul
   }
   if (closed && rules.cutLoops)
   {
-    std::vector<int> kept;
-    Polyline controls;
-    for (const int i : withoutLoops(fitted.controls))
-    {
-      kept.push_back(fitted.kept[i]);
-      controls.push_back(fitted.controls[i]);
-    }
-    fitted.kept = std::move(kept);
-    fitted.controls = std::move(controls);
+    const std::vector<int> stay = withoutLoops(fitted.controls);
+    fitted.kept = valuesAt(fitted.kept, stay);
+    fitted.controls = valuesAt(fitted.controls, stay);
   }
   const bool periodic = closed && rules.periodic;
   if (closed && !periodic)
@@ -233,10 +215,7 @@ FittedStroke fitStroke(const Polyline& samples, bool closed, const FitRules& rul
   writeKnots(curve, count, periodic, fitted);
   if (space)
   {
-    for (const int kept : fitted.kept)
-    {
-      fitted.spaceControls.push_back(space->points[kept]);
-    }
+    fitted.spaceControls = valuesAt(space->points, fitted.kept);
   }
   if (rules.interpolate)
   {

@@ -80,7 +80,7 @@ SnappedStroke snapped(const EdgeFeatures& features,
   const Context& context)
 {
   const int given = static_cast<int>(stroke.size());
-  if (!std::all_of(stroke.begin(), stroke.end(), [](const Vector2& p) { return p.allFinite(); }))
+  if (!allFinite(stroke))
   {
     throw Error(Failure::BadStroke, "the stroke has a sample that is not finite");
   }

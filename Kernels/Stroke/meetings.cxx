@@ -284,8 +284,7 @@ std::vector<std::vector<int>> meetingSegments(const std::vector<PlaneCurve>& cur
     curves, context, [&](const Segment& s, const Segment&) { found[s.curve].push_back(s.number); });
   for (std::vector<int>& numbers : found)
   {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    sortUnique(numbers);
   }
   return found;
 }

@@ -33,6 +33,26 @@ Blend placeBefore(std::vector<double>::const_iterator next,
 
 } // namespace
 
+Eigen::AlignedBox2d boxRound(const Polyline& points)
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector2& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
+
+bool allFinite(const Polyline& points)
+{
+  return std::all_of(points.begin(), points.end(), [](const Vector2& p) { return p.allFinite(); });
+}
+
+bool differs(const Polyline& points)
+{
+  return std::any_of(points.begin(), points.end(), [&](const Vector2& p) { return p != points.front(); });
+}
+
 Blend placeAt(const std::vector<double>& lengths, int pointCount, double length)
 {
   return placeBefore(std::upper_bound(lengths.begin(), lengths.end(), length), lengths, pointCount, length);

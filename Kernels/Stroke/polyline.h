@@ -11,6 +11,11 @@ namespace oversketch
 
 using Polyline = std::vector<Vector2>;
 
+Eigen::AlignedBox2d boxRound(const Polyline& points);
+// Whether all of them are finite, and whether two of them differ.
+bool allFinite(const Polyline& points);
+bool differs(const Polyline& points);
+
 // The place (1 - t) from + t to between two points of a polyline; from == to names a point itself.
 struct Blend
 {

@@ -39,11 +39,11 @@ std::vector<int> spread(const Polyline& points, double least, bool closed)
 
 std::vector<Blend> resampled(const Polyline& points, double spacing, bool closed)
 {
-  if (!std::all_of(points.begin(), points.end(), [](const Vector2& p) { return p.allFinite(); }))
+  if (!allFinite(points))
   {
     throw Error(Failure::BadStroke, "the stroke has a sample that is not finite");
   }
-  if (std::none_of(points.begin(), points.end(), [&](const Vector2& p) { return p != points.front(); }))
+  if (!differs(points))
   {
     throw Error(Failure::BadStroke, "the stroke has fewer than two distinct points; draw a longer one");
   }

@@ -142,28 +142,24 @@ double shareAt(const Blend& place, const std::vector<double>& lengths)
   return ((1.0 - place.t) * from + place.t * to) / lengths.back();
 }
 
-bool differs(const Polyline& curve)
-{
-  return std::any_of(curve.begin(), curve.end(), [&](const Vector2& p) { return p != curve.front(); });
-}
-
 } // namespace
+
+Resketched unchanged(const Polyline& points, bool isFresh)
+{
+  Resketched result{ points, {} };
+  for (int i = 0; i < static_cast<int>(points.size()); ++i)
+  {
+    const Blend place = Blend::point(i), none = Blend::point(0);
+    result.origins.push_back(isFresh ? Origin{ none, place, 1.0 } : Origin{ place, none, 0.0 });
+  }
+  return result;
+}
 
 Resketched resketch(const Polyline& old, const Polyline& fresh, const ResketchRules& rules)
 {
-  Resketched result;
-  const auto keepOld = [&]
-  {
-    result.points = old;
-    for (int i = 0; i < static_cast<int>(old.size()); ++i)
-    {
-      result.origins.push_back({ Blend::point(i), Blend::point(0), 0.0 });
-    }
-    return result;
-  };
   if (!differs(old) || !differs(fresh))
   {
-    return keepOld();
+    return unchanged(old, false);
   }
   const Walk before(old);
   const double length = before.length();
@@ -171,7 +167,7 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, const ResketchRu
   const bool atEnd = s == e && (s == 0.0 || s == length);
   if (s == e && !atEnd)
   {
-    return keepOld();
+    return unchanged(old, false);
   }
   const auto gap = [&](const Vector2& p, double place) { return (before.at(place).of(old) - p).norm(); };
   // An extension has its nearer end at the old curve.
@@ -189,7 +185,7 @@ Resketched resketch(const Polyline& old, const Polyline& fresh, const ResketchRu
   // The way out is the way in, walked from the other end.
   const Walk oldBack(Polyline(old.rbegin(), old.rend())), freshBack(Polyline(drawn.rbegin(), drawn.rend()));
   const Resketched out = lead(oldBack, freshBack, length - e, rules);
-  result = lead(before, after, s, rules);
+  Resketched result = lead(before, after, s, rules);
   // Without a way in the new curve takes the old one's place from its start on.
   const double from = result.points.empty() ? 0.0 : s, to = out.points.empty() ? length : e;
   addMiddle(before, after, from, to, rules.middle, result);
@@ -225,11 +221,9 @@ Resketched continued(const Polyline& old, const Polyline& fresh, const ResketchR
     }
     result = lead(before, after, before.length(), fitting);
   }
-  for (int i = 0; i < static_cast<int>(fresh.size()); ++i)
-  {
-    result.points.push_back(fresh[i]);
-    result.origins.push_back({ Blend::point(0), Blend::point(i), 1.0 });
-  }
+  const Resketched rest = unchanged(fresh, true);
+  result.points.insert(result.points.end(), rest.points.begin(), rest.points.end());
+  result.origins.insert(result.origins.end(), rest.origins.begin(), rest.origins.end());
   return result;
 }
 

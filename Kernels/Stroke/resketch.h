@@ -42,6 +42,9 @@ struct ResketchRules
   bool rawTangents = false; // as published: the steps to the next samples, whatever their length
 };
 
+// All of the old curve, or of the new one.
+Resketched unchanged(const Polyline& points, bool isFresh);
+
 // Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation and Editing", Sec. 4.2. The new curve
 // replaces the old one between the places S and E nearest to its two ends; the old one runs into it from S' =
 // S - reach d / L on, d being the new end's distance to the old curve and L the old one's length, and out of

@@ -88,11 +88,7 @@ std::vector<Blend> cleanStroke(const Polyline& samples, const StrokeRules& rules
   {
     kept.back() = last; // the pen's lift counts, the jitter before it does not
   }
-  Polyline clean;
-  for (const int i : kept)
-  {
-    clean.push_back(samples[i]);
-  }
+  const Polyline clean = valuesAt(samples, kept);
   const double length = arcLengths(clean).back();
   if (!(length >= rules.minimumLength) || !(length > 0.0))
   {
