@@ -119,7 +119,7 @@ class Header:
         # Data and other algorithms are no parameters; the rest must have been read.
         public = self.text.split("protected:")[0]
         known = read.union(*(header.settable() for header in self.lineage() if header is not self))
-        for name in re.findall(r"\bvtkSet\w*Macro\((\w+)", public) + re.findall(r"\bvoid Set(\w+)\((?!\)|vtk\w+\*)", public):
+        for name in re.findall(r"\bvtkSet\w*Macro\((\w+)", public) + re.findall(r"\bvoid Set(\w+)\((?!\)|vtk\w+\*|std::shared_ptr)", public):
             if name not in known:
                 raise SystemExit(f"make_proxies.py: {self.kind}::Set{name} has no comment of its own, or a type that no proxy is made for")
 
