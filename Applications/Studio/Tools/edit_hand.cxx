@@ -532,6 +532,11 @@ void EditHand::publish()
       const auto inside = oversketch::ReadInside(this->Widget->GetEdit()->GetInnerOutput("Distance"));
       Latency::of().regionHas(inside.size());
     }
+    if (isNew && !this->isMoved())
+    {
+      this->applyMode();
+      this->View->renderNow(); // its greys, before the step takes the processors
+    }
     const Step step = this->Loaded.step;
     isNew ? emit this->drawn(step) : emit this->remade(step);
     this->OfferedId = isNew ? idOf(this->OpenDocument->session(), step) : this->OfferedId;

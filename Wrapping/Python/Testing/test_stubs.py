@@ -37,7 +37,7 @@ def declared(header):
     comment = None
     for part in re.finditer(r"/\*\*(.*?)\*/|^  (?:static |virtual )?[\w:<>*& ]*?[ *&](\w+)\([^)]*\)|^  vtk(\w+)Macro\(\s*(\w+)",
                             body, re.M | re.S):
-        if "oversketch::" in part.group(0) and part.group(2):  # a type of the kernels, which Python has not
+        if part.group(2) and re.search(r"oversketch::|FigureList", part.group(0)):  # a type that Python has not
             continue
         documentation, method, macro, name = part.groups()
         if documentation:
@@ -57,7 +57,7 @@ def test_every_public_method_of_the_header_is_there_with_its_comment(header):
     class_ = stubs()[header.stem]
     written = {node.name: ast.get_docstring(node) for node in class_.body if isinstance(node, ast.FunctionDef)}
     methods = declared(header)
-    assert len(methods) >= 2
+    assert methods or "vtkAbstractTypeMacro" in header.read_text()
     for name, comment in methods.items():
         if name in ("New", "PrintSelf"):  # Python's own constructor, print()
             continue
