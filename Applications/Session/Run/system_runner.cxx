@@ -166,15 +166,15 @@ bool SystemRunner::run(const Step& step,
   {
     return this->runOnce(task, step.values, 0.0, 1.0, outcome);
   }
-  if (this->Row.reflectsStrokes)
+  if (this->Row.mirroring == Mirroring::Strokes)
   {
     return this->runReflected(task, outcome);
   }
-  if (!this->FollowPartners || this->Row.runsTwice)
+  if (this->Row.mirroring == Mirroring::TwoRuns)
   {
     return this->runTwice(task, outcome);
   }
-  Values kept = *this->Row.mirrored;
+  Values kept = this->Row.keepingPoints;
   kept.insert(step.values.begin(), step.values.end());
   Outcome made = outcome;
   if (!this->runOnce(task, kept, 0.0, oneSide, made))

@@ -41,10 +41,10 @@ public:
   //
   // A step with a mirror plane, of a system that takes several strokes, runs once on each stroke and the same
   // in the mirror; where the first one lies over the plane itself, on the strokes alone. Of a system that
-  // says so (SystemRow::runsTwice) it runs on one side and then on the other, as below. Of another one
-  // (SystemRow::mirrored) it runs with the values that keep points' ids (SystemRow::mirrored), and points
-  // on the other side follow their partners (vtkOversketchMirror). Where a point that moved has none, or that
-  // run fails, the step runs with its own values, and once more on the other side, as if its strokes had been
+  // says so (Mirroring::TwoRuns) it runs on one side and then on the other, as below. Of another one it runs
+  // with the values that keep points' ids (SystemRow::keepingPoints), and points on the other side follow
+  // their partners (vtkOversketchMirror). Where a point that moved has none, or that run fails, the step runs
+  // with its own values, and once more on the other side, as if its strokes had been
   // drawn in the mirror. That run works on the mesh's mirror image with what the step is given as it is, and
   // what comes of it is mirrored back: the same thing, but strokes, their views and pictures over them need
   // not be turned round, and the two sides do not differ by what has a handedness inside (the rays' spiral,
@@ -76,10 +76,6 @@ public:
 
   vtkOversketchSystem* system() { return this->System; }
 
-  // Off: steps with a mirror plane run on both sides also where points have partners. For tests; on by
-  // default.
-  void setFollowPartners(bool follow) { this->FollowPartners = follow; }
-
 private:
   // All that a run is given.
   struct Task
@@ -104,7 +100,6 @@ private:
 
   const SystemRow& Row;
   vtkSmartPointer<vtkOversketchSystem> System;
-  bool FollowPartners = true;
   // Of the last step: what points follow their partners by, or what either side made; at most one of both.
   vtkSmartPointer<vtkOversketchMirror> Mirror;
   struct TwoSides;

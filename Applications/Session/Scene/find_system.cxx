@@ -8,41 +8,43 @@
 namespace oversketch_session
 {
 
-const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows)
+namespace
+{
+
+// The first row of a list with that value of a member; null where there is none.
+template <typename Row, typename Value>
+const Row* findBy(Value Row::*member, const Value& value, const std::vector<Row>& rows)
 {
   const auto it =
-    std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.name == name; });
+    std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.*member == value; });
   return it == rows.end() ? nullptr : &*it;
+}
+
+} // namespace
+
+const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows)
+{
+  return findBy(&SystemRow::name, name, rows);
 }
 
 const SystemRow* findVerb(const std::string& verb)
 {
-  const auto& rows = systems();
-  const auto it =
-    std::find_if(rows.begin(), rows.end(), [&](const SystemRow& row) { return row.verb == verb; });
-  return it == rows.end() ? nullptr : &*it;
+  return findBy(&SystemRow::verb, verb, systems());
 }
 
 const Parameter* findParameter(const SystemRow& row, const std::string& property)
 {
-  const auto it = std::find_if(row.parameters.begin(),
-    row.parameters.end(),
-    [&](const Parameter& one) { return one.property == property; });
-  return it == row.parameters.end() ? nullptr : &*it;
+  return findBy(&Parameter::property, property, row.parameters);
 }
 
 const SystemInput* findInput(const SystemRow& row, const std::string& name)
 {
-  const auto it = std::find_if(
-    row.inputs.begin(), row.inputs.end(), [&](const SystemInput& input) { return input.name == name; });
-  return it == row.inputs.end() ? nullptr : &*it;
+  return findBy(&SystemInput::name, name, row.inputs);
 }
 
 const SystemInput* findInput(const SystemRow& row, SystemInput::Kind kind)
 {
-  const auto it = std::find_if(
-    row.inputs.begin(), row.inputs.end(), [&](const SystemInput& input) { return input.kind == kind; });
-  return it == row.inputs.end() ? nullptr : &*it;
+  return findBy(&SystemInput::kind, kind, row.inputs);
 }
 
 std::vector<std::string> wordsOf(const Parameter& parameter)
@@ -99,7 +101,7 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
   {
     return row->name + " changes the mesh that comes to it, and makes no part of its own";
   }
-  if (step.mirror && !actsOnBothSides(*row))
+  if (step.mirror && row->mirroring == Mirroring::None)
   {
     return row->name + " cannot act on both sides of a plane: its points do not keep their ids";
   }
@@ -108,10 +110,10 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
 
 const std::vector<std::string>& backendWords()
 {
-  static const std::vector<std::string> words = { vtkOversketchSystem::GetBackendWord(
-                                                    vtkOversketchSystem::Auto),
-    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::OpenCL),
-    vtkOversketchSystem::GetBackendWord(vtkOversketchSystem::Host) };
+  using System = vtkOversketchSystem;
+  static const std::vector<std::string> words = { System::GetBackendWord(System::Auto),
+    System::GetBackendWord(System::OpenCL),
+    System::GetBackendWord(System::Host) };
   return words;
 }
 

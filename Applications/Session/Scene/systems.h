@@ -9,7 +9,6 @@
 
 #include <functional>
 #include <map>
-#include <optional>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -91,6 +90,15 @@ inline bool isImage(SystemInput::Kind kind)
   return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;
 }
 
+// How a step acts on both sides of a mirror plane (SystemRunner::run).
+enum class Mirroring
+{
+  None,     // it cannot
+  Partners, // points follow their partners on the other side; where these have none, by two runs
+  Strokes,  // it takes several strokes, each with a view of its own: each, and the same in the mirror
+  TwoRuns
+};
+
 // Output port 0 of every system is the mesh that the next step gets.
 struct SystemRow
 {
@@ -104,15 +112,9 @@ struct SystemRow
   std::vector<Parameter> parameters;
   std::vector<Pair> pairs;     // of parameters, which then have no options of their own
   std::vector<Phrase> phrases; // likewise
-  // The values with which its output's points keep their ids, so that a step that acts on both sides of a
-  // mirror plane can move points with their partners; where these have none its own values hold
-  // (SystemRunner::run). Null: points never keep their ids.
-  std::optional<Values> mirrored;
-  // It takes several strokes, each with a view of its own, and acts on both sides by one run with each stroke
-  // and the same in the mirror.
-  bool reflectsStrokes = false;
-  // It acts on both sides by two runs, whatever the points (SystemRunner::run).
-  bool runsTwice = false;
+  Mirroring mirroring = Mirroring::None;
+  // With Mirroring::Partners: the values with which its output's points keep their ids.
+  Values keepingPoints;
   // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
   std::string textureInput;
   // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
@@ -132,12 +134,6 @@ const std::vector<SystemRow>& systems();
 // By name or by verb; null where there is none.
 const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
 const SystemRow* findVerb(const std::string& verb);
-
-// Whether its steps can have a mirror plane.
-inline bool actsOnBothSides(const SystemRow& row)
-{
-  return row.mirrored || row.reflectsStrokes || row.runsTwice;
-}
 
 const Parameter* findParameter(const SystemRow& row, const std::string& property);
 const SystemInput* findInput(const SystemRow& row, const std::string& name);
@@ -163,11 +159,11 @@ vtkAlgorithm* ownerOf(vtkOversketchSystem* system, const std::string& step);
 template <typename T, typename Setter, typename Getter>
 Parameter ofStep(const std::string& step,
   const std::string& property,
+  Setter setter,
+  Getter getter,
   const std::string& word,
   const std::string& title,
   const std::string& help,
-  Setter setter,
-  Getter getter,
   std::vector<Choice> choices = {})
 {
   const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
@@ -200,14 +196,14 @@ Parameter ofStep(const std::string& step,
 // A parameter of the system's own class.
 template <typename T, typename Setter, typename Getter>
 Parameter parameter(const std::string& property,
+  Setter setter,
+  Getter getter,
   const std::string& word,
   const std::string& title,
   const std::string& help,
-  Setter setter,
-  Getter getter,
   std::vector<Choice> choices = {})
 {
-  return ofStep<T>("", property, word, title, help, setter, getter, std::move(choices));
+  return ofStep<T>("", property, setter, getter, word, title, help, std::move(choices));
 }
 
 // The same with what a form offers of a number.

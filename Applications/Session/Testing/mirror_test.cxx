@@ -68,7 +68,8 @@ std::vector<Vector3> longerEar()
 
 struct Mirrored
 {
-  SystemRunner runner{ *findSystem("OneStroke") };
+  SystemRow row = *findSystem("OneStroke"); // which the runner refers to
+  SystemRunner runner{ row };
   Outcome outcome;
   Step step;
   bool done = false;
@@ -85,7 +86,7 @@ struct Mirrored
     this->step.values["Remesh"] = remesh;
     this->step.values["AllowTorn"] = allowTorn;
     this->step.mirror = plane;
-    this->runner.setFollowPartners(follow);
+    this->row.mirroring = follow ? Mirroring::Partners : Mirroring::TwoRuns;
     this->outcome.mesh = mesh;
     this->done = this->runner.run(this->step,
       { { "Mesh", mesh }, { "Stroke", stroke } },

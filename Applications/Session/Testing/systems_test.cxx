@@ -201,10 +201,10 @@ TEST(Systems, InputsAreThePortsOfTheClass)
     EXPECT_EQ(plain(row.name).rfind(plain(row.verb), 0), 0u) << "the name begins with the verb";
     EXPECT_EQ(findSystem(row.name), &row);
     EXPECT_EQ(findVerb(row.verb), &row);
-    if (row.mirrored)
+    if (row.mirroring != Mirroring::None)
     {
       EXPECT_NE(findInput(row, SystemInput::Kind::Mesh), nullptr);
-      EXPECT_EQ(faultOf({ row.name, *row.mirrored, {}, MirrorPlane(), std::nullopt }), "");
+      EXPECT_EQ(faultOf({ row.name, row.keepingPoints, {}, MirrorPlane(), std::nullopt }), "");
     }
   }
   EXPECT_EQ(findSystem("Nothing"), nullptr);

@@ -147,7 +147,7 @@ inline const std::vector<oversketch_session::SystemRow>& rowsWithToys()
     blow.make = []() -> vtkSmartPointer<vtkOversketchSystem> { return vtkSmartPointer<Blow>::New(); };
     blow.inputs = { { "Drawing", "drawing", "", Kind::Stroke, 0 },
       { "Picture", "picture", "", Kind::Picture, 1, true } };
-    blow.parameters = { parameter<Blow>("Label", "label", "", "", &Blow::SetLabel, &Blow::GetLabel) };
+    blow.parameters = { parameter<Blow>("Label", &Blow::SetLabel, &Blow::GetLabel, "label", "", "") };
     blow.textureInput = "Picture";
     all.push_back(withDefaults(blow));
     SystemRow lift;
@@ -157,10 +157,10 @@ inline const std::vector<oversketch_session::SystemRow>& rowsWithToys()
     lift.inputs = { { "Mesh", "mesh", "", Kind::Mesh, 0 },
       { "Up", "up", "", Kind::Curves, 1 },
       { "Against", "against", "", Kind::Curves, 2 } };
-    lift.parameters = { parameter<Lift>("Height", "height", "", "", &Lift::SetHeight, &Lift::GetHeight),
-      parameter<Lift>("Times", "times", "", "", &Lift::SetTimes, &Lift::GetTimes),
-      parameter<Lift>("Down", "down", "", "", &Lift::SetDown, &Lift::GetDown),
-      parameter<Lift>("Shift", "shift", "", "", &Lift::SetShift, &Lift::GetShift) };
+    lift.parameters = { parameter<Lift>("Height", &Lift::SetHeight, &Lift::GetHeight, "height", "", ""),
+      parameter<Lift>("Times", &Lift::SetTimes, &Lift::GetTimes, "times", "", ""),
+      parameter<Lift>("Down", &Lift::SetDown, &Lift::GetDown, "down", "", ""),
+      parameter<Lift>("Shift", &Lift::SetShift, &Lift::GetShift, "shift", "", "") };
     all.push_back(withDefaults(lift));
     return all;
   }();

@@ -73,7 +73,7 @@ void StepPanel::addPage(const SystemRow& row)
       page.fields.push_back(field);
     }
   }
-  if (actsOnBothSides(row))
+  if (row.mirroring != Mirroring::None)
   {
     page.mirror = mirrorChoice(rows);
     page.mirror->setFocusPolicy(Qt::StrongFocus);

@@ -118,7 +118,7 @@ QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
 {
-  if (!actsOnBothSides(*findSystem(this->System)))
+  if (findSystem(this->System)->mirroring == Mirroring::None)
   {
     return nullptr;
   }
