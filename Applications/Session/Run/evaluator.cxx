@@ -79,6 +79,20 @@ struct Evaluator::Run
   std::vector<Outcome>& outcomes; // of the nodes up to the one that is run
   Ports ports;
   std::uint64_t mesh = 0; // the number of the outcome that comes to the node
+
+  // Of the node that is run: what its step takes, what number its outcome has, and the output ports that it
+  // has and others refer to.
+  Inputs inputs = {};
+  std::uint64_t number = 0;
+  std::set<int> needed = {};
+  std::size_t index() const { return this->outcomes.size() - 1; }
+  const Node& node() const { return this->model.nodes[this->index()]; }
+  Outcome& outcome() const { return this->outcomes.back(); }
+  bool hasNeeded(const Outcome& made) const
+  {
+    const auto has = [&](int port) { return made.outputs.count(port) > 0; };
+    return std::all_of(this->needed.begin(), this->needed.end(), has);
+  }
 };
 
 struct Evaluator::Runner
@@ -157,22 +171,20 @@ vtkSmartPointer<vtkImageData> Evaluator::imageOf(const Image& image, SystemInput
   return made;
 }
 
-std::string Evaluator::resolve(Run& run,
-  std::size_t index,
-  const SystemRow& row,
-  Inputs& inputs,
-  std::vector<std::uint64_t>& numbers)
+std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
 {
   const auto& nodes = run.model.nodes;
-  for (const SystemInput& input : row.inputs)
+  const Step& step = *run.node().step;
+  Inputs& inputs = run.inputs;
+  for (const SystemInput& input : findSystem(step.system, this->Rows)->inputs)
   {
     const std::string what = "its input '" + input.name + "' ";
-    const auto given = nodes[index].step->inputs.find(input.name);
-    if (given == nodes[index].step->inputs.end())
+    const auto given = step.inputs.find(input.name);
+    if (given == step.inputs.end())
     {
-      if (input.kind == SystemInput::Kind::Mesh && run.outcomes[index].mesh)
+      if (input.kind == SystemInput::Kind::Mesh && run.outcome().mesh)
       {
-        inputs[input.name] = run.outcomes[index].mesh;
+        inputs[input.name] = run.outcome().mesh;
         numbers.push_back(run.mesh);
       }
       else if (input.kind == SystemInput::Kind::Mesh)
@@ -187,7 +199,7 @@ std::string Evaluator::resolve(Run& run,
     else if (const auto* lines = std::get_if<Lines>(&given->second))
     {
       // The same ones as last time are the same data, so that the steps keep what they made of them.
-      auto& [identity, data] = this->runner(row.name)->lines[input.name];
+      auto& [identity, data] = this->runner(step.system)->lines[input.name];
       if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
       {
         identity = lines->identity();
@@ -214,9 +226,9 @@ std::string Evaluator::resolve(Run& run,
       }
       const std::string whose = what + "is of '" + node->name + "', which ";
       const auto at = static_cast<std::size_t>(node - nodes.begin());
-      if (at >= index)
+      if (at >= run.index())
       {
-        return whose + (at == index ? "is itself" : "comes after it");
+        return whose + (at == run.index() ? "is itself" : "comes after it");
       }
       const Outcome& outcome = run.outcomes[at];
       if (!node->on || !outcome.failure.empty())
@@ -228,28 +240,17 @@ std::string Evaluator::resolve(Run& run,
       {
         return whose + "has no output " + std::to_string(output.port);
       }
-      if (output.port == 0)
-      {
-        inputs[input.name] = outcome.mesh;
-      }
-      else
-      {
-        inputs[input.name] = port->second;
-      }
+      inputs[input.name] = output.port == 0 ? vtkSmartPointer<vtkDataObject>(outcome.mesh) : port->second;
       numbers.push_back(outcome.number);
     }
   }
   return {};
 }
 
-bool Evaluator::make(Run& run,
-  std::size_t index,
-  const Inputs& inputs,
-  std::uint64_t number,
-  const std::set<int>& ports,
-  Outcome& outcome)
+bool Evaluator::make(Run& run)
 {
-  const Step& step = *run.model.nodes[index].step;
+  const Step& step = *run.node().step;
+  Outcome& outcome = run.outcome();
   Runner& runner = *this->runner(step.system);
   if (run.watch.details && !this->finish(runner, run.watch.cancelled))
   {
@@ -260,44 +261,39 @@ bool Evaluator::make(Run& run,
   if (run.watch.progress)
   {
     listener.progress = [&](const std::string& stage, double share)
-    { run.watch.progress(index, stage, share); };
+    { run.watch.progress(run.index(), stage, share); };
   }
-  runner.adoptPrepared(inputs);
+  runner.adoptPrepared(run.inputs);
   ++this->Runs;
   runner.last = 0;
-  if (!runner.steps->run(step, inputs, run.model.backend, ports, listener, outcome))
+  if (!runner.steps->run(step, run.inputs, run.model.backend, run.needed, listener, outcome))
   {
     return false;
   }
   if (outcome.failure.empty())
   {
     const auto decoded = [&](const std::string& name)
-    { return vtkImageData::SafeDownCast(inputs.at(name).Get()); };
+    { return vtkImageData::SafeDownCast(run.inputs.at(name).Get()); };
     wearPictures(step, *findSystem(step.system, this->Rows), decoded, outcome.mesh);
   }
-  runner.last = outcome.failure.empty() ? number : 0;
+  runner.last = outcome.failure.empty() ? run.number : 0;
   return true;
 }
 
-bool Evaluator::makePart(Run& run,
-  std::size_t index,
-  const Inputs& inputs,
-  std::uint64_t number,
-  const std::set<int>& ports,
-  Outcome& outcome)
+bool Evaluator::makePart(Run& run)
 {
-  const Node& node = run.model.nodes[index];
+  const Node& node = run.node();
+  Outcome& outcome = run.outcome();
   const vtkSmartPointer<vtkPolyData> came = outcome.mesh;
   const auto kept = this->Parts.find(node.id);
-  const auto has = [&](int port) { return kept->second.outcome.outputs.count(port) > 0; };
   if (kept != this->Parts.end() && kept->second.backend == run.model.backend &&
-      isSameWork(kept->second.step, *node.step) && std::all_of(ports.begin(), ports.end(), has))
+      isSameWork(kept->second.step, *node.step) && run.hasNeeded(kept->second.outcome))
   {
     outcome = kept->second.outcome;
   }
   else
   {
-    if (!this->make(run, index, inputs, number, ports, outcome))
+    if (!this->make(run))
     {
       return false;
     }
@@ -319,16 +315,17 @@ bool Evaluator::makePart(Run& run,
   return true;
 }
 
-bool Evaluator::runNode(Run& run, std::size_t index)
+bool Evaluator::runNode(Run& run)
 {
-  const std::shared_ptr<const Step>& step = run.model.nodes[index].step;
-  Outcome& outcome = run.outcomes[index];
-  Inputs inputs;
+  const std::shared_ptr<const Step>& step = run.node().step;
+  Outcome& outcome = run.outcome();
+  run.inputs.clear();
+  run.needed.clear();
   std::vector<std::uint64_t> numbers;
   outcome.failure = faultOf(*step, this->Rows);
   if (outcome.failure.empty())
   {
-    outcome.failure = this->resolve(run, index, *findSystem(step->system, this->Rows), inputs, numbers);
+    outcome.failure = this->resolve(run, numbers);
   }
   if (!outcome.failure.empty())
   {
@@ -338,37 +335,33 @@ bool Evaluator::runNode(Run& run, std::size_t index)
   {
     numbers.push_back(run.mesh);
   }
-  const std::uint64_t number = this->numberOf({ step, numbers, run.model.backend });
-  Kept& kept = this->Outcomes.at(number);
-  std::set<int> ports; // that it has and others refer to
-  for (const int port : run.ports[run.model.nodes[index].id])
+  run.number = this->numberOf({ step, numbers, run.model.backend });
+  Kept& kept = this->Outcomes.at(run.number);
+  for (const int port : run.ports[run.node().id])
   {
     if (port > 0 && port < this->system(step->system)->GetNumberOfOutputPorts())
     {
-      ports.insert(port);
+      run.needed.insert(port);
     }
   }
-  const auto isKept = [&](int port) { return kept.outcome->outputs.count(port) > 0; };
-  if (kept.outcome && (!kept.outcome->failure.empty() || std::all_of(ports.begin(), ports.end(), isKept)))
+  if (kept.outcome && (!kept.outcome->failure.empty() || run.hasNeeded(*kept.outcome)))
   {
     outcome = *kept.outcome;
   }
   else
   {
-    const bool done = step->part ? this->makePart(run, index, inputs, number, ports, outcome)
-                                 : this->make(run, index, inputs, number, ports, outcome);
-    if (!done)
+    if (!(step->part ? this->makePart(run) : this->make(run)))
     {
       return false;
     }
-    outcome.number = outcome.failure.empty() ? number : 0;
+    outcome.number = outcome.failure.empty() ? run.number : 0;
     outcome.details = kept.outcome ? kept.outcome->details : outcome.details;
     kept.outcome = outcome;
     kept.bytes = bytesOf(outcome);
   }
   if (outcome.failure.empty())
   {
-    run.mesh = number;
+    run.mesh = run.number;
   }
   return true;
 }
@@ -392,7 +385,7 @@ bool Evaluator::run(const Model& model, const Watch& watch, std::vector<Outcome>
   {
     outcomes.emplace_back();
     outcomes[i].mesh = mesh;
-    if (model.nodes[i].on && !this->runNode(run, i))
+    if (model.nodes[i].on && !this->runNode(run))
     {
       outcomes.pop_back();
       return false;

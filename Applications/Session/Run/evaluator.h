@@ -103,28 +103,15 @@ private:
   static std::size_t bytesOf(const Outcome& outcome);
   void forget(); // what cannot come again
   void giveUp(); // what is beyond the budget
-  bool runNode(Run& run, std::size_t index);
-  // Runs a node's step, whose outcome will have that number, and fills in the outcome. False when cancelled.
-  bool make(Run& run,
-    std::size_t index,
-    const Inputs& inputs,
-    std::uint64_t number,
-    const std::set<int>& ports,
-    Outcome& outcome);
+  bool runNode(Run& run);
+  // Runs the node's step and fills in its outcome. False when cancelled.
+  bool make(Run& run);
   // The same of a part, beside the mesh that came. What was made of the same drawing is not made again when
   // the part is put elsewhere or that mesh changes.
-  bool makePart(Run& run,
-    std::size_t index,
-    const Inputs& inputs,
-    std::uint64_t number,
-    const std::set<int>& ports,
-    Outcome& outcome);
-  // Why a step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they are.
-  std::string resolve(Run& run,
-    std::size_t index,
-    const SystemRow& row,
-    Inputs& inputs,
-    std::vector<std::uint64_t>& numbers);
+  bool makePart(Run& run);
+  // Why the node's step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they
+  // are.
+  std::string resolve(Run& run, std::vector<std::uint64_t>& numbers);
   // Of the last that it ran, where they are missing; false when cancelled.
   bool finish(Runner& runner, const std::function<bool()>& cancelled);
   vtkSmartPointer<vtkImageData> imageOf(const Image& image, SystemInput::Kind kind);

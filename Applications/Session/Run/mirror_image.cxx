@@ -296,8 +296,7 @@ vtkSmartPointer<vtkPolyData> MirrorImage::back(vtkPolyData* made) const
       stayed < 0 ? reflected(place, this->Plane) : placeOf(this->Mesh->GetPoints(), this->Points[stayed]);
     points->SetPoint(i, where.data());
   }
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(made);
+  auto result = shallowCopyOf(made);
   result->SetPoints(points);
   result->SetPolys(kept ? this->Mesh->GetPolys() : turnedPolygons(made->GetPolys()).Get());
   passArrays(made->GetPointData(), result->GetPointData(), numbers, this->Plane.axis);

@@ -1,5 +1,7 @@
 #include "section_finder.h"
 
+#include "shared_data.h"
+
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchStepRunner.h"
 #include "vtkOversketchSystem.h"
@@ -72,8 +74,7 @@ std::uint64_t SectionFinder::find(vtkPolyData* stroke, const Values& values)
   Request request;
   request.values = values;
   request.view = viewOf(stroke);
-  request.stroke = vtkSmartPointer<vtkPolyData>::New();
-  request.stroke->DeepCopy(stroke);
+  request.stroke = deepCopyOf(stroke);
   std::uint64_t ticket = 0;
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -147,13 +148,7 @@ void SectionFinder::work()
       section->Initialize();
       crest->Initialize();
     }
-    const auto copyOf = [](vtkPolyData* lines)
-    {
-      auto copy = vtkSmartPointer<vtkPolyData>::New(); // the system goes on with its own
-      copy->DeepCopy(lines);
-      return copy;
-    };
-    Found made{ request.ticket, copyOf(section), copyOf(crest) };
+    Found made{ request.ticket, deepCopyOf(section), deepCopyOf(crest) }; // the system goes on with its own
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
       if (cancelled())

@@ -1,7 +1,6 @@
 #include "system_runner.h"
 
 #include "mirror_image.h"
-#include "reflected_strokes.h"
 #include "two_sides.h"
 
 #include "vtkOversketchMirror.h"
@@ -70,14 +69,6 @@ std::optional<Section> sectionOf(vtkPolyData* hold)
     left -= step;
   }
   return section;
-}
-
-template <typename Data>
-vtkSmartPointer<Data> shared(Data* data)
-{
-  auto copy = vtkSmartPointer<Data>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  return copy;
 }
 
 // Runs work with a system or a filter that is heard meanwhile. Empty where it went well, else the reason.
@@ -223,13 +214,13 @@ bool SystemRunner::runOnce(const Task& task, const Values& values, double from, 
   {
     vtkNew<vtkPolyData> hold;
     this->System->GetHold(hold);
-    outcome.mesh = shared(made.Get());
+    outcome.mesh = shallowCopyOf(made.Get());
     outcome.section = sectionOf(hold);
-    outcome.hold = shared(hold.Get());
+    outcome.hold = shallowCopyOf(hold.Get());
     outcome.backendUsed = this->System->GetBackendUsed();
     for (const int port : task.ports)
     {
-      outcome.outputs[port] = shared(this->System->GetOutputDataObject(port));
+      outcome.outputs[port] = shallowCopyOf(this->System->GetOutputDataObject(port));
     }
   }
   return true;
@@ -276,7 +267,7 @@ bool SystemRunner::followPartners(const Task& task, Outcome& outcome)
   {
     return false;
   }
-  outcome.mesh = shared(mirror->GetOutput());
+  outcome.mesh = shallowCopyOf(mirror->GetOutput());
   this->Mirror = mirror;
   return true;
 }
@@ -424,8 +415,7 @@ std::shared_ptr<const Following> SystemRunner::following(vtkPolyData* made,
     }
     if (this->Mirror)
     {
-      vtkNew<vtkPolyData> side;
-      side->ShallowCopy(this->System->GetOutput());
+      const auto side = shallowCopyOf(this->System->GetOutput());
       side->SetPoints(moved[axis]);
       this->Mirror->SetInputData(1, side);
       this->Mirror->Update();
@@ -474,7 +464,7 @@ void SystemRunner::prepare(vtkPolyData* mesh, int backend, const Listener& liste
   {
     return;
   }
-  this->System->SetInputDataObject(input->port, shared(mesh));
+  this->System->SetInputDataObject(input->port, shallowCopyOf(mesh));
   this->System->SetBackend(backend);
   try
   {

@@ -1,4 +1,4 @@
-// What a step does on two sides of a plane, put together.
+// What a step is given on two sides of a plane, and what it does there, put together.
 #ifndef oversketch_applications_session_run_two_sides_h
 #define oversketch_applications_session_run_two_sides_h
 
@@ -10,6 +10,11 @@
 
 namespace oversketch_session
 {
+
+// The strokes, and then each once more as if it had been drawn in the mirror: x counted from the other side
+// of the picture, the view reflected, so that it stays right-handed. Where the strokes carry no sound views
+// they come back alone: the system says what is wrong with them.
+vtkSmartPointer<vtkPolyData> withReflections(vtkPolyData* strokes, const MirrorPlane& plane);
 
 // True of a line, where a step took hold, that is its own mirror image as far as one can mean it: without a
 // tenth of its length at either end, which rests on the body, it has points on both sides of the plane, or

@@ -34,26 +34,6 @@ constexpr std::chrono::milliseconds prepareAfter{ 150 };
 constexpr std::size_t mostPictures = 1000; // some 50 MB
 constexpr double traceReach = 0.1;         // of the model's diagonal, from a stroke to the surface
 
-vtkSmartPointer<vtkPolyData> copied(vtkPolyData* data)
-{
-  if (!data)
-  {
-    return nullptr;
-  }
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(data);
-  return copy;
-}
-
-// The mesh with the same points, cells and arrays. Filters make new ones and change none that they have put
-// out.
-vtkSmartPointer<vtkPolyData> shared(vtkPolyData* mesh)
-{
-  auto own = vtkSmartPointer<vtkPolyData>::New();
-  own->ShallowCopy(mesh);
-  return own;
-}
-
 // True where `next` is `model` with steps added at its end.
 bool continues(const Model& model, const Model& next)
 {
@@ -89,7 +69,8 @@ std::map<std::string, SharedData> givenTo(const Model& model,
       const auto output = outcomes[i].outputs.find(of->port);
       if (model.nodes[i].id == of->step && output != outcomes[i].outputs.end())
       {
-        given[name] = copied(vtkPolyData::SafeDownCast(output->second));
+        vtkPolyData* data = vtkPolyData::SafeDownCast(output->second);
+        given[name] = data ? deepCopyOf(data) : nullptr;
       }
     }
   }
@@ -131,7 +112,7 @@ std::uint64_t Worker::submit(Model model)
     this->Waiting = true;
   }
   this->Wake.notify_one();
-  if (replaced && this->Report.cancelled)
+  if (replaced)
   {
     this->Report.cancelled(replaced);
   }
@@ -159,7 +140,7 @@ void Worker::cancel()
     this->Wanted = 0;
   }
   this->Wake.notify_one();
-  if (waiting && this->Report.cancelled)
+  if (waiting)
   {
     this->Report.cancelled(waiting);
   }
@@ -220,16 +201,17 @@ std::vector<Worker::NodeState> Worker::statesOf(const Model& model, const std::v
     if (!isKnown)
     {
       state.before =
-        i == 0 ? model.mesh : SharedData(outcomes[i - 1].mesh ? shared(outcomes[i - 1].mesh) : nullptr);
+        i == 0 ? model.mesh
+               : SharedData(outcomes[i - 1].mesh ? shallowCopyOf(outcomes[i - 1].mesh.Get()) : nullptr);
       state.given = givenTo(model, outcomes, i);
     }
     if (outcome.hold && !state.hold)
     {
-      state.hold = copied(outcome.hold);
+      state.hold = deepCopyOf(outcome.hold);
     }
     if (outcome.details && !state.region)
     {
-      state.region = copied(outcome.details->region);
+      state.region = deepCopyOf(outcome.details->region);
       state.following = outcome.details->following;
       const vtkIdType count = outcome.mesh->GetNumberOfPoints();
       state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
@@ -277,7 +259,7 @@ void Worker::runAside(std::uint64_t ticket)
     SharedData display;
     if (made)
     {
-      display = oversketch_files::withPointNormals(shared(made));
+      display = oversketch_files::withPointNormals(shallowCopyOf(made));
     }
     this->Report.evaluatedAside(std::move(display));
   }
@@ -289,11 +271,11 @@ void Worker::show(vtkPolyData* mesh, Result& result)
   if (!this->Shown || !isShallowCopy(mesh, this->Shown))
   {
     this->Display = nullptr; // before the next one is made
-    this->Shown = shared(mesh);
+    this->Shown = shallowCopyOf(mesh);
     this->Display = oversketch_files::withPointNormals(this->Shown);
   }
-  result.mesh = shared(this->Shown);
-  result.display = shared(this->Display);
+  result.mesh = shallowCopyOf(this->Shown.Get());
+  result.display = shallowCopyOf(this->Display.Get());
 }
 
 void Worker::runOne(std::uint64_t ticket, const Model& model)
@@ -304,19 +286,11 @@ void Worker::runOne(std::uint64_t ticket, const Model& model)
   watch.details = true;
   watch.cancelled = [&] { return this->Wanted != ticket; };
   watch.progress = [&](std::size_t node, const std::string& stage, double share)
-  {
-    if (this->Report.progress)
-    {
-      this->Report.progress(ticket, node, stage, share);
-    }
-  };
+  { this->Report.progress(ticket, node, stage, share); };
   std::vector<Outcome> outcomes;
   if (!this->Runner.run(model, watch, outcomes) || watch.cancelled())
   {
-    if (this->Report.cancelled)
-    {
-      this->Report.cancelled(ticket);
-    }
+    this->Report.cancelled(ticket);
     return;
   }
   vtkPolyData* shown = resultOf(model, outcomes);
@@ -334,10 +308,7 @@ void Worker::runOne(std::uint64_t ticket, const Model& model)
     this->Shown = this->Display = nullptr;
   }
   result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  if (this->Report.done)
-  {
-    this->Report.done(std::move(result)); // this thread keeps the meshes of it alone
-  }
+  this->Report.done(std::move(result)); // this thread keeps the meshes of it alone
   if (shown)
   {
     std::unique_lock<std::mutex> lock(this->Mutex);
@@ -354,11 +325,7 @@ void Worker::runOne(std::uint64_t ticket, const Model& model)
     this->Runner.releaseWork();
     malloc_trim(0); // what was freed in pieces goes back as well
   }
-  if (this->Report.detailed)
-  {
-    this->Report.detailed(
-      { ticket, this->statesOf(model, outcomes), shown ? digestOf(shown) : std::string() });
-  }
+  this->Report.detailed({ ticket, this->statesOf(model, outcomes), shown ? digestOf(shown) : std::string() });
   // The rest, between what is asked for aside.
   watch.cancelled = [&] { return this->Wanted != ticket || this->Waiting; };
   const SystemRow* next = shown ? nextOf(model) : nullptr;
@@ -448,8 +415,7 @@ vtkSmartPointer<vtkPolyData> strokeOfPart(vtkPolyData* stroke, const Step& step)
       const oversketch::Vector3 seen = view.toDisplay({ along(0), along(1), step.part->depth });
       points->InsertNextPoint(seen[0], seen[1], 0.0);
     }
-    auto placed = vtkSmartPointer<vtkPolyData>::New();
-    placed->ShallowCopy(stroke);
+    auto placed = shallowCopyOf(stroke);
     placed->SetPoints(points);
     return placed;
   }

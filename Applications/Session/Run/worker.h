@@ -65,11 +65,11 @@ public:
   // something newer is to be run first.
   struct Listener
   {
-    std::function<void(Result)> done;
-    std::function<void(Details)> detailed;
-    std::function<void(std::uint64_t ticket)> cancelled;
+    std::function<void(Result)> done = [](const Result&) {};
+    std::function<void(Details)> detailed = [](const Details&) {};
+    std::function<void(std::uint64_t ticket)> cancelled = [](std::uint64_t) {};
     std::function<void(std::uint64_t ticket, std::size_t node, const std::string& stage, double share)>
-      progress;
+      progress = [](std::uint64_t, std::size_t, const std::string&, double) {};
     // The mesh of a model that was only looked at, as Result::display; null where it makes none.
     std::function<void(SharedData)> evaluatedAside;
     // While nothing else is to be run, after all that: each step's stroke on the mesh that the model shows

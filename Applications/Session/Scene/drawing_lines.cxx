@@ -1,6 +1,7 @@
 #include "drawing_lines.h"
 
 #include "files.h"
+#include "shared_data.h"
 #include "texture.h"
 
 #include "vtkOversketchCanvasTools.h"
@@ -86,9 +87,7 @@ std::vector<vtkSmartPointer<vtkPolyData>> alike(const std::vector<DrawnStroke>& 
         const auto value = vtkSmartPointer<vtkDataArray>::Take(has(*it)->NewInstance());
         value->SetName(array.name);
         value->InsertNextTuple1(array.otherwise);
-        const vtkSmartPointer<vtkPolyData> before = lines[i];
-        lines[i] = vtkSmartPointer<vtkPolyData>::New();
-        lines[i]->ShallowCopy(before);
+        lines[i] = shallowCopyOf(lines[i].Get());
         lines[i]->GetCellData()->AddArray(value);
       }
     }

@@ -41,9 +41,7 @@ MadeModel madeOf(const Model& model)
   made.backendUsed = backendUsedBy(outcomes);
   if (vtkPolyData* mesh = resultOf(model, outcomes))
   {
-    vtkNew<vtkPolyData> copy; // the evaluator's own goes with it
-    copy->DeepCopy(mesh);
-    made.mesh = SharedData(vtkSmartPointer<vtkPolyData>(copy));
+    made.mesh = deepCopyOf(mesh); // the evaluator's own goes with it
     made.display = oversketch_files::withPointNormals(made.mesh);
     made.parts = sourcesOf(model, outcomes);
     made.digest = digestOf(made.mesh);
@@ -183,11 +181,8 @@ vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkPolyData*>& meshes)
 
 vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh)
 {
-  auto own = vtkSmartPointer<vtkPolyData>::New();
-  own->ShallowCopy(mesh);
-  vtkNew<vtkCellArray> polys;
-  polys->ShallowCopy(mesh->GetPolys());
-  own->SetPolys(polys);
+  auto own = shallowCopyOf(mesh);
+  own->SetPolys(shallowCopyOf(mesh->GetPolys()));
   return own;
 }
 

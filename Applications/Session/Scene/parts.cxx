@@ -75,8 +75,7 @@ Eigen::Vector4d rectangleOf(vtkPolyData* mesh)
 
 vtkSmartPointer<vtkPolyData> placedBy(const Eigen::Matrix4d& matrix, vtkPolyData* mesh)
 {
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->ShallowCopy(mesh);
+  auto result = shallowCopyOf(mesh);
   vtkNew<vtkFieldData> fields; // the mesh's own is shared
   fields->ShallowCopy(mesh->GetFieldData());
   vtkNew<vtkDoubleArray> placement;

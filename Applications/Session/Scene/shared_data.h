@@ -16,6 +16,24 @@
 namespace oversketch_session
 {
 
+// The same data with the same points, cells and arrays, for a pipeline that goes on with it: filters make new
+// ones and change none that they have put out.
+template <typename Data>
+vtkSmartPointer<Data> shallowCopyOf(Data* data)
+{
+  auto copy = vtkSmartPointer<Data>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  return copy;
+}
+
+// One that nobody else holds anything of.
+inline vtkSmartPointer<vtkPolyData> deepCopyOf(vtkPolyData* data)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(data);
+  return copy;
+}
+
 class SharedData
 {
 public:
@@ -44,16 +62,7 @@ public:
   std::shared_ptr<const void> identity() const { return this->Held; }
 
   // A shallow copy, for a pipeline; null where there is nothing.
-  vtkSmartPointer<vtkPolyData> own() const
-  {
-    if (!this->Held)
-    {
-      return nullptr;
-    }
-    auto copy = vtkSmartPointer<vtkPolyData>::New();
-    copy->ShallowCopy(this->Get());
-    return copy;
-  }
+  vtkSmartPointer<vtkPolyData> own() const { return this->Held ? shallowCopyOf(this->Get()) : nullptr; }
 
 private:
   std::shared_ptr<const vtkSmartPointer<vtkPolyData>> Held;
