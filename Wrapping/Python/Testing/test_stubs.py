@@ -38,6 +38,7 @@ def declared(header):
     for part in re.finditer(r"/\*\*(.*?)\*/|^  (?:static |virtual )?[\w:<>*& ]*?[ *&](\w+)\([^)]*\)|^  vtk(\w+)Macro\(\s*(\w+)",
                             body, re.M | re.S):
         if part.group(2) and re.search(r"oversketch::|FigureList", part.group(0)):  # a type that Python has not
+            comment = None
             continue
         documentation, method, macro, name = part.groups()
         if documentation:
