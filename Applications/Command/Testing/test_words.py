@@ -11,7 +11,7 @@ from scene import *  # noqa: F403
 DATA = SOURCE / "Data"
 DOG, STROKES, FISH = DATA / "Models" / "dog.ply", DATA / "Strokes", DATA / "Drawings" / "fish.vtp"
 EDIT = ["edit", DOG, "--reference", STROKES / "dog_back.vtp", "--boundary", STROKES / "dog_back_ring.vtp"]
-PROPERTIES = set(re.findall(r'(?:parameter<System>\(|ofStep<\w+>\("\w+",)\s*"(\w*[a-z][A-Z]\w*)"', (SOURCE / "Applications/Session/Scene/systems.cxx").read_text()))
+PROPERTIES = set(re.findall(r"PROPERTY\(\w+,\s*(\w*[a-z][A-Z]\w*)\)", (SOURCE / "Applications/Session/Scene/systems.cxx").read_text()))
 
 
 def circle(x, y, radius):
