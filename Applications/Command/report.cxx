@@ -124,7 +124,7 @@ void Report::ends(const std::string& part)
   this->Begun = now;
 }
 
-// What the command was called with, and how long it took.
+// The command's call, and how long it took.
 Json::Value Report::beginning(const std::string& verb, const Options& options) const
 {
   Json::Value json;

@@ -42,7 +42,7 @@ private:
 
 // Points and triangles.
 Json::Value countsOf(vtkPolyData* mesh);
-// Of the last run: how long each stage took [ms], the faces that it made, and what the system tells of
+// Adds how long each stage of the last run took [ms], the faces that it made, and what the system tells of
 // itself.
 void addFigures(vtkOversketchSystem* system, Json::Value& json);
 

@@ -1,4 +1,4 @@
-// What the command does for its verbs, and what these share.
+// Verbs of the command, and the pieces that they share.
 #ifndef oversketch_applications_command_verbs_h
 #define oversketch_applications_command_verbs_h
 
@@ -29,7 +29,7 @@ void replay(const Options& options);
 // A picture or a grid of heights. Throws Failed where it is none.
 oversketch_session::Image readImage(const std::string& path, oversketch_session::SystemInput::Kind kind);
 
-// What a file is ("the mesh", "--report"), and its path.
+// A file's part in the run ("the mesh", "--report"), and its path.
 using NamedFile = std::pair<std::string, std::string>;
 // Throws BadUse where a file would be replaced that is read, or written as well: mesh, report, picture and
 // those inside. OUT may be the mesh, which is then changed in its place. Throws Failed where one, but those

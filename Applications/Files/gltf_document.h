@@ -91,7 +91,7 @@ struct GltfSkin
   std::set<std::string> dropped;               // what is not kept, in a user's words
 };
 
-// What stands for a primitive's material in them.
+// The words that stand for a primitive's material in them.
 Json::Value materialOf(const GltfDocument& document, const Json::Value& primitive);
 
 GltfSkin skinOf(const GltfDocument& document);

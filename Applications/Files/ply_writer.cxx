@@ -43,7 +43,7 @@ struct PlyColumn
   }
 };
 
-// What PLY calls a type; whole numbers of eight bytes are doubles to it.
+// The name of a type in PLY; whole numbers of eight bytes are doubles to it.
 PlyType plyType(int type)
 {
   const auto* const it = std::find_if(std::begin(plyTypes),

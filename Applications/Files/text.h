@@ -54,7 +54,7 @@ public:
     return true;
   }
 
-  // What follows up to the end, without white space around it.
+  // The rest up to the end, without white space around it.
   std::string_view rest() const
   {
     const char* const space = " \t\r";

@@ -4,7 +4,8 @@
 // an error: a file that is missing, damaged, of another program or refused by the driver only means that the
 // program is compiled, and written again. A folder that cannot be written to means that it is compiled each
 // time. While one process builds a program the others wait for it, and then find its file. Ours, since the
-// drivers' own caches still parse sources: with PoCL's alone, warm, a first stroke takes some 1.5 s longer.
+// drivers' own caches still parse sources: with PoCL's alone, warm, a stroke by the command takes 0.41 to
+// 0.45 s in place of 0.32.
 #ifndef oversketch_kernels_open_cl_program_cache_h
 #define oversketch_kernels_open_cl_program_cache_h
 

@@ -62,7 +62,7 @@ def test_report_and_inner_stages(folder, tmp_path):
     assert report["before"]["points"] == read(tmp_path / "o.vtp").GetNumberOfPoints()
     stages = report["stage_milliseconds"]
     assert stages["ShapeDiameter"] > 0 and sum(stages.values()) <= report["milliseconds"]["run"]
-    # Of any system: the field arrays of one value.
+    # Field arrays of one value, which any system has.
     assert report["fields"]["Match"]["Distance"] > 1 and report["fields"]["Targets"]["SectionLength"] > 0
     assert report["command"] == "one-stroke" and report["mesh"].endswith("body.vtp") and report["stroke"].endswith("longer.vtp")
     assert report["options"] == {"backend": "embree", "remesh": "off", "adjust_normals": False, "as_published": False,

@@ -80,8 +80,8 @@ struct Evaluator::Run
   Ports ports;
   std::uint64_t mesh = 0; // the number of the outcome that comes to the node
 
-  // Of the node that is run: what its step takes, what number its outcome has, and the output ports that it
-  // has and others refer to.
+  // The node that is run: what its step takes, what number its outcome has, and the output ports that it has
+  // and others refer to.
   Inputs inputs = {};
   std::uint64_t number = 0;
   std::set<int> needed = {};

@@ -1,4 +1,4 @@
-// What a step is given on two sides of a plane, and what it does there, put together.
+// A step on two sides of a plane: what it is given there, and what it does, put together.
 #ifndef oversketch_applications_session_run_two_sides_h
 #define oversketch_applications_session_run_two_sides_h
 

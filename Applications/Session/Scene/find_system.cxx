@@ -1,4 +1,4 @@
-// What is asked of the list of systems.
+// Questions to the list of systems.
 #include "systems.h"
 
 #include "vtkOversketchSystem.h"
@@ -21,6 +21,11 @@ const Row* findBy(Value Row::*member, const Value& value, const std::vector<Row>
 }
 
 } // namespace
+
+bool isImage(SystemInput::Kind kind)
+{
+  return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;
+}
 
 const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows)
 {

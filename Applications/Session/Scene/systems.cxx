@@ -26,7 +26,7 @@ namespace oversketch_session
 namespace
 {
 
-// What parameter() and ofStep() ask of a property: its name, and how it is set and got.
+// A property as parameter() and ofStep() ask for it: its name, and how it is set and got.
 #define PROPERTY(T, name) #name, &T::Set##name, &T::Get##name
 
 template <typename T>

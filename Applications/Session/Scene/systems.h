@@ -46,8 +46,7 @@ struct Parameter
   Value initial; // of a fresh instance; its alternative is that of all values of the parameter
 };
 
-// Two counts or lengths that a command line gives at once: "--quads 64x48", the second where it is not the
-// default.
+// Two counts or lengths given at once: "--quads 64x48", the second where it is not the default.
 struct Pair
 {
   std::string word, first, second; // "quads", and the properties
@@ -85,10 +84,7 @@ struct SystemInput
 };
 
 // Whether it is given as the bytes of a file.
-inline bool isImage(SystemInput::Kind kind)
-{
-  return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;
-}
+bool isImage(SystemInput::Kind kind);
 
 // How a step acts on both sides of a mirror plane (SystemRunner::run).
 enum class Mirroring
@@ -113,16 +109,13 @@ struct SystemRow
   std::vector<Pair> pairs;     // of parameters, which then have no options of their own
   std::vector<Phrase> phrases; // likewise
   Mirroring mirroring = Mirroring::None;
-  // With Mirroring::Partners: the values with which its output's points keep their ids.
-  Values keepingPoints;
-  // The name of the input whose picture the mesh wears, by its texture coordinates; empty for none.
-  std::string textureInput;
-  // Likewise of the picture that its back wears; where it is given both are pictures of parts, 0 and 1.
-  std::string backTextureInput;
+  Values keepingPoints; // with Mirroring::Partners: those by which its output's points keep their ids
+  // The inputs whose pictures the mesh and its back wear, by its texture coordinates; empty for none. Where
+  // the latter is given both are pictures of parts, 0 and 1.
+  std::string textureInput, backTextureInput;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
-  // A hand goes on changing its last step and sees the mesh follow: what that step computed is kept beside
-  // what is prepared for the next one.
+  // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // What else the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
