@@ -21,6 +21,7 @@ system = vtkOversketchOneStroke()
 system.SetInputConnection(0, mesh.GetOutputPort())
 system.SetInputConnection(1, stroke.GetOutputPort())
 system.SetBackendToHost()
+system.GetStep("ShapeDiameter").OnDemandOff()  # a stroke asks for a part of it, the picture shows all
 system.Update()
 
 model, drawn = mesh.GetOutput(), stroke.GetOutput()

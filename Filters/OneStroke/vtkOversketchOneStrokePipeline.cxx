@@ -101,8 +101,8 @@ vtkOversketchOneStroke::Pipeline::Pipeline(vtkOversketchOneStroke* self)
   stage("Outline", this->Outline, 0.04);
   stage("Match", this->Match, 0.01);
   stage("Targets", this->Targets, 0.01);
-  stage("ShapeDiameter", this->ShapeDiameter, 0.30);
-  stage("MixtureRegion", this->MixtureRegion, 0.06);
+  stage("ShapeDiameter", this->ShapeDiameter, 0.12);
+  stage("MixtureRegion", this->MixtureRegion, 0.24);
   stage("RegionBorder", this->RegionBorder, 0.01);
   stage("Deform", this->Deform, 0.08);
   stage("Correction", this->Correction, 0.02);
@@ -131,6 +131,7 @@ void vtkOversketchOneStroke::Pipeline::SetAmendments(bool on)
   this->Match->SetMaximumGap(on ? farthestOutline : 0.0);
   this->Targets->SetSingleLayer(on);
   this->ShapeDiameter->SetTurnCones(on);
+  this->ShapeDiameter->SetOnDemand(on); // published samples are drawn and scaled over all
   this->MixtureRegion->SetSeedMargin(on ? 0.1 : 0.0);
   this->MixtureRegion->SetFillIslands(on);
   this->MixtureRegion->SetLimitRunaway(on);

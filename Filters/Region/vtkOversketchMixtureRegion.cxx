@@ -2,8 +2,11 @@
 
 #include "Mixture/mixture.h"
 #include "OpenCL/device.h"
+#include "Ray/ray_caster.h"
+#include "Region/border.h"
 #include "Region/grow.h"
 #include "vtkOversketchBindings.h"
+#include "vtkOversketchDiametersOnDemand.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -56,9 +59,20 @@ std::vector<double> DiametersOf(vtkDataArray* array)
   return values;
 }
 
+std::vector<int> AllOf(int count)
+{
+  std::vector<int> all(static_cast<std::size_t>(count));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
 // Of the mean thickness. On tessellated spheres the rays' deviation is up to 0.6 %, on tori the thickness'
 // own 1.7 %; of an egg a seventh longer than wide it is 2.6 %, of what has limbs 20 % and more.
 constexpr double noise = 0.02;
+
+// Rings round the region whose diameters are known: those that vtkOversketchRegionBorder may take in, the
+// triangles that are remeshed round these, and one to spare.
+constexpr int knownRings = 4;
 
 constexpr int mostSamples = 2048; // for a mixture
 // How far from a seed a sample for the mixture of too few seeds may lie, along edges, of half the bounding
@@ -245,9 +259,11 @@ struct vtkOversketchMixtureRegion::Cache
   MeshKey MeshRead;
   FitKey FitRead;
   std::vector<int> PartsRead; // whose vertices it is fitted to, ascending; empty: all
-  std::vector<double> Diameters, Scaled;
-  double Diagonal = 0.0;  // of the box of these vertices
-  double Deviation = 0.0; // of the samples, as a share of their mean
+  vtkSmartPointer<vtkOversketchDiametersOnDemand> OnDemand; // where diameters are computed as they are read
+  std::vector<double> Diameters;                            // 0 where not asked for yet
+  double Low = 0.0, Range = 0.0;                            // of the diameters that the mixture is fitted to
+  double Diagonal = 0.0;                                    // of the box of these vertices
+  double Deviation = 0.0;                                   // of the samples, as a share of their mean
   Mixture Whole;
   // The region.
   GrowthKey GrowthRead;
@@ -255,16 +271,22 @@ struct vtkOversketchMixtureRegion::Cache
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; // empty: none kept
 
   const MeshParts& PartsOf();
+  // Makes the diameters of these vertices known, which are returned.
+  std::vector<double> Require(const std::vector<int>& vertices, const Context& context);
+  double Scaled(double diameter) const
+  {
+    return this->Range > 0.0 ? (diameter - this->Low) / this->Range : 0.0;
+  }
   MixtureFit Fit(vtkOversketchMixtureRegion* self, const std::vector<double>& samples, int components);
   // The parts of the mesh that hold vertices, ascending.
   std::vector<int> PartsWith(const std::vector<int>& vertices);
   // Makes Whole of the diameters, of these parts of the mesh (none: of all).
   void FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters, const std::vector<int>& parts);
-  // ln p_fg - ln p_whole per vertex, of the foreground that the seeds stand for.
-  std::vector<double> RatiosOf(vtkOversketchMixtureRegion* self, const std::vector<int>& seeds);
+  // The mixture of what the seeds stand for.
+  Mixture Foreground(vtkOversketchMixtureRegion* self, const std::vector<int>& seeds);
   // Whether the thickness is the same everywhere but for noise, which is to say nothing.
   bool IsEven(vtkOversketchMixtureRegion* self) const { return self->IgnoreNoise && this->Deviation < noise; }
-  // In place of those ratios where it is: for what is so near to a seed, and against all else.
+  // The ratios where it is: for what is so near to a seed, and against all else.
   std::vector<double> RatiosNear(const std::vector<int>& seeds, double near);
   double LongestEdge(const std::vector<int>& seeds) const; // at one of them
   // Makes Arrays of the section.
@@ -327,49 +349,69 @@ std::vector<int> vtkOversketchMixtureRegion::Cache::PartsWith(const std::vector<
   return static_cast<int>(held.size()) == parts.count ? std::vector<int>() : held;
 }
 
+std::vector<double> vtkOversketchMixtureRegion::Cache::Require(const std::vector<int>& vertices,
+  const Context& context)
+{
+  if (this->OnDemand)
+  {
+    this->OnDemand->Require(vertices, context);
+    for (const int v : vertices)
+    {
+      this->Diameters[static_cast<std::size_t>(v)] = this->OnDemand->GetValue(v);
+    }
+  }
+  return Pick(this->Diameters, vertices);
+}
+
 void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self,
   vtkDataArray* diameters,
   const std::vector<int>& parts)
 {
-  this->Diameters = DiametersOf(diameters);
-  const int count = this->Data->Surface().vertexCount();
+  const Mesh& mesh = this->Data->Surface();
+  const int count = mesh.vertexCount();
+  this->OnDemand = vtkOversketchDiametersOnDemand::SafeDownCast(diameters);
+  this->Diameters =
+    this->OnDemand ? std::vector<double>(static_cast<std::size_t>(count), 0.0) : DiametersOf(diameters);
   const auto isOf = [&](int v)
   {
     return parts.empty() ||
            std::binary_search(parts.begin(), parts.end(), this->PartsOf().of[static_cast<std::size_t>(v)]);
   };
   std::vector<int> fitted;
+  const std::vector<int> all = self->EvenSamples ? alongCurve(mesh, ThreadsOnly()) : AllOf(count);
+  std::copy_if(all.begin(), all.end(), std::back_inserter(fitted), isOf);
   Eigen::AlignedBox3d box;
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (int v = 0; v < count; ++v)
+  for (const int v : fitted)
   {
-    if (isOf(v))
-    {
-      box.extend(this->Data->Surface().points[static_cast<std::size_t>(v)]);
-      fitted.push_back(v);
-      low = std::min(low, this->Diameters[static_cast<std::size_t>(v)]);
-      high = std::max(high, this->Diameters[static_cast<std::size_t>(v)]);
-    }
+    box.extend(mesh.points[static_cast<std::size_t>(v)]);
   }
   this->Diagonal = box.isEmpty() ? 0.0 : box.diagonal().norm();
-  const double range = high - low;
-  this->Scaled.resize(this->Diameters.size());
-  std::transform(this->Diameters.begin(),
-    this->Diameters.end(),
-    this->Scaled.begin(),
-    [&](double d) { return range > 0.0 ? (d - low) / range : 0.0; });
-  const std::vector<double> samples =
-    self->EvenSamples
-      ? evenSamples(
-          Pick(this->Scaled, fitted), Pick(this->PartsOf().areas, fitted), mostSamples, ThreadsOnly())
-      : Pick(this->Scaled, drawWithoutReplacement(count, mostSamples, self->Seed));
+  if (self->EvenSamples)
+  {
+    std::vector<int> even = evenItems(Pick(this->PartsOf().areas, fitted), mostSamples);
+    std::transform(even.begin(),
+      even.end(),
+      even.begin(),
+      [&](int item) { return fitted[static_cast<std::size_t>(item)]; });
+    fitted = even;
+  }
+  std::vector<double> samples = this->Require(fitted, ContextOf(self, 0.0, 0.3));
+  const auto [low, high] = std::minmax_element(samples.begin(), samples.end());
+  this->Low = samples.empty() ? 0.0 : *low;
+  this->Range = samples.empty() ? 0.0 : *high - *low;
+  if (!self->EvenSamples)
+  {
+    samples = Pick(samples, drawWithoutReplacement(count, mostSamples, self->Seed));
+  }
+  std::transform(
+    samples.begin(), samples.end(), samples.begin(), [this](double d) { return this->Scaled(d); });
   ++self->WholeFitCount;
   self->WholeSampleCount = static_cast<vtkIdType>(samples.size());
-  this->Deviation = DeviationOf(samples, range > 0.0 ? low / range : 1.0);
+  this->Deviation = DeviationOf(samples, this->Range > 0.0 ? this->Low / this->Range : 1.0);
   this->Whole = this->Fit(self, samples, self->Components).mixture;
 }
 
-std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMixtureRegion* self,
+Mixture vtkOversketchMixtureRegion::Cache::Foreground(vtkOversketchMixtureRegion* self,
   const std::vector<int>& seeds)
 {
   const MeshData& mesh = *this->Data;
@@ -378,24 +420,15 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::RatiosOf(vtkOversketchMix
     seeds,
     3 * static_cast<std::size_t>(self->Components),
     seedTolerance * 0.5 * this->Diagonal);
-  const std::vector<double> known = Pick(this->Scaled, around);
-  const std::vector<double> samples =
+  std::vector<double> samples = this->Require(around, ThreadsOnly());
+  std::transform(
+    samples.begin(), samples.end(), samples.begin(), [this](double d) { return this->Scaled(d); });
+  samples =
     self->EvenSamples
-      ? evenSamples(known, {}, mostSamples)
-      : Pick(known, drawWithoutReplacement(static_cast<int>(known.size()), mostSamples, self->Seed));
-  const Mixture foreground =
-    this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components)).mixture;
-  std::vector<double> ratios(this->Scaled.size());
-  const LogDensity ofForeground(foreground), ofWhole(this->Whole);
-  ContextOf(self).parallelFor(mesh.Surface().vertexCount(),
-    [&](int begin, int end)
-    {
-      for (int v = begin; v < end; ++v)
-      {
-        ratios[v] = ofForeground(this->Scaled[v]) - ofWhole(this->Scaled[v]);
-      }
-    });
-  return ratios;
+      ? evenSamples(samples, mostSamples)
+      : Pick(samples, drawWithoutReplacement(static_cast<int>(samples.size()), mostSamples, self->Seed));
+  return this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components))
+    .mixture;
 }
 
 double vtkOversketchMixtureRegion::Cache::LongestEdge(const std::vector<int>& seeds) const
@@ -433,12 +466,39 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
   double near)
 {
   const MeshData& mesh = *this->Data;
-  RegionEvidence evidence{ section.seeds, {}, this->Diameters, sectionLength, section.ends, endLength };
+  const int count = mesh.Surface().vertexCount();
+  RegionEvidence evidence{ section.seeds,
+    std::vector<double>(static_cast<std::size_t>(count), std::numeric_limits<double>::quiet_NaN()),
+    this->Diameters,
+    sectionLength,
+    section.ends,
+    endLength };
   const bool even = this->IsEven(self);
   near = even ? std::max(near, this->LongestEdge(section.seeds)) : near;
-  if (!section.seeds.empty())
+  if (even)
   {
-    evidence.ratio = even ? this->RatiosNear(section.seeds, near) : this->RatiosOf(self, section.seeds);
+    evidence.ratio = this->RatiosNear(section.seeds, near);
+  }
+  const Context growing = ContextOf(self, 0.4, 1.0), quiet = ContextOf(self, 0.4, 0.4);
+  const LogDensity ofForeground(
+    even || section.seeds.empty() ? this->Whole : this->Foreground(self, section.seeds)),
+    ofWhole(this->Whole);
+  evidence.require = [&](const std::vector<int>& vertices)
+  {
+    const std::vector<double> found = this->Require(vertices, quiet);
+    ThreadsOnly().each(static_cast<int>(vertices.size()),
+      [&](int i)
+      {
+        const auto v = static_cast<std::size_t>(vertices[static_cast<std::size_t>(i)]);
+        evidence.diameter[v] = found[static_cast<std::size_t>(i)];
+        const double scaled = this->Scaled(evidence.diameter[v]);
+        evidence.ratio[v] =
+          std::isnan(evidence.ratio[v]) ? ofForeground(scaled) - ofWhole(scaled) : evidence.ratio[v];
+      });
+  };
+  if (!this->OnDemand)
+  {
+    evidence.require(AllOf(count));
   }
   const RegionOptions options{ self->Lambda,
     self->FillIslands,
@@ -447,17 +507,30 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     self->ReachEnds,
     near,
     shift };
-  const std::vector<char> region = detectRegion(mesh.Surface(),
-    mesh.Neighbours(),
-    mesh.Normals(),
-    this->PartsOf(),
-    evidence,
-    options,
-    ContextOf(self, 0.4, 1.0));
+  const std::vector<char> region = detectRegion(
+    mesh.Surface(), mesh.Neighbours(), mesh.Normals(), this->PartsOf(), evidence, options, growing);
   std::vector<char> isSeed(region.size(), 0);
   for (int seed : section.seeds)
   {
     isSeed[seed] = 1;
+  }
+  if (this->OnDemand)
+  {
+    const std::vector<char> known = withinRings(mesh.Neighbours(), marked(region), knownRings);
+    const std::vector<int> vertices = marked(known);
+    evidence.require(vertices);
+    std::vector<double> values(known.size(), 0.0);
+    for (const int v : vertices)
+    {
+      values[static_cast<std::size_t>(v)] = evidence.diameter[static_cast<std::size_t>(v)];
+    }
+    this->Arrays = { ArrayOf<vtkDoubleArray>("ShapeDiameter", values),
+      ArrayOf<vtkUnsignedCharArray>("ShapeDiameterKnown", known) };
+    for (std::size_t v = 0; v < known.size(); ++v)
+    {
+      // What growing has foreseen beyond is left out: it depends on what was asked for before.
+      evidence.ratio[v] = known[v] ? evidence.ratio[v] : -std::numeric_limits<double>::infinity();
+    }
   }
   std::vector<double> probability(region.size());
   ContextOf(self).parallelFor(mesh.Surface().vertexCount(),
@@ -468,9 +541,10 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
         probability.begin() + begin,
         [](double ratio) { return 1.0 / (1.0 + std::exp(-ratio)); });
     });
-  this->Arrays = { ArrayOf<vtkUnsignedCharArray>("Region", region),
-    ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
-    ArrayOf<vtkDoubleArray>("RegionProbability", probability) };
+  this->Arrays.insert(this->Arrays.end(),
+    { ArrayOf<vtkUnsignedCharArray>("Region", region),
+      ArrayOf<vtkUnsignedCharArray>("RegionSeed", isSeed),
+      ArrayOf<vtkDoubleArray>("RegionProbability", probability) });
 }
 
 vtkStandardNewMacro(vtkOversketchMixtureRegion);
@@ -515,7 +589,7 @@ void vtkOversketchMixtureRegion::Execute(vtkInformationVector** inputs, vtkInfor
     cache.PartsRead = parts;
   }
 
-  const double diameter = section.seeds.empty() ? 0.0 : MedianOf(Pick(cache.Diameters, section.seeds));
+  const double diameter = section.seeds.empty() ? 0.0 : MedianOf(cache.Require(section.seeds, ThreadsOnly()));
   const bool near =
     cache.IsEven(this) || (this->ConfineToSection && !OfLimb(section, SectionLengthOf(handles), diameter));
   const double nearness = near ? NearOf(section, SectionLengthOf(handles), diameter) : 0.0;

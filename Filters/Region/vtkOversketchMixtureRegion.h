@@ -26,10 +26,11 @@
  * - so where the thickness is the same but for the rays' noise, as on a sphere (IgnoreNoise): the region was
  * a chance patch, which tore or held no vertex inside its border;
  * - samples are even over the surface, not random (EvenSamples): neither the vertices' order nor their
- * density changes the mixtures.
+ * density changes the mixtures. They alone are scaled to [0, 1], so that nothing is read of the others.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
- * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated.
+ * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Where that filter computes
+ * on demand, values are asked for as they are read: of the samples and of what growing visits.
  * Input 1 (Handles): handles (vtkOversketchTargets): points with arrays MeshVertices[3], MeshWeights[3],
  * RelativePosition[1], UnmergedTarget[3] (read with ReachEnds or ConfineToSection), and field array
  * SectionLength[1], model length (read with these, LimitRunaway or Reach, and where IgnoreNoise takes hold).
@@ -37,7 +38,9 @@
  * Output 0: the input with point arrays
  * - Region, unsigned char: 1 for vertices of the region,
  * - RegionSeed, unsigned char: 1 for the seeds, all of them in the region,
- * - RegionProbability, double in [0, 1]: p_fg / (p_fg + p_whole).
+ * - RegionProbability, double in [0, 1]: p_fg / (p_fg + p_whole);
+ * - with thickness on demand, ShapeDiameterKnown, unsigned char: 1 in the region and within four rings of it;
+ * elsewhere ShapeDiameter and RegionProbability are 0.
  * Everything else is passed; nothing is interpolated or dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion without seeds and
@@ -45,7 +48,7 @@
  *
  * Deterministic: samples are drawn by a generator with the fixed Seed. Device and host agree to 1e-5.
  *
- * Cost: milliseconds for the mixtures, then linear in the vertices. The whole mesh's mixture is kept while
+ * Cost: milliseconds for the mixtures, then linear in the vertices, and rays on demand. The whole mesh's mixture is kept while
  * points, polygons, ShapeDiameter and its parameters stand; the output arrays while the seeds do, too.
  *
  * @sa vtkOversketchShapeDiameter vtkOversketchTargets vtkOversketchRegionBorder
@@ -152,8 +155,9 @@ public:
 
   ///@{
   /**
-   * Take the samples in the order of their values at equal steps of the area, of the seeds at equal steps of
-   * their number; default on. Off: at random, as published, by the vertices' numbers and density.
+   * Take the samples along a space-filling curve through the vertices at equal steps of the area, of the seeds
+   * in the order of their values at equal steps of their number; default on. Off: at random, as published, by
+   * the vertices' numbers and density, scaled by the least and greatest value of all.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);

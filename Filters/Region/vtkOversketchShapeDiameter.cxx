@@ -1,6 +1,7 @@
 #include "vtkOversketchShapeDiameter.h"
 
 #include "Ray/shape_diameter.h"
+#include "vtkOversketchDiametersOnDemand.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -20,13 +21,12 @@ using namespace oversketch;
 // The array and what it was made from.
 struct vtkOversketchShapeDiameter::Cache
 {
-  using Parameters = std::tuple<int, double, bool, bool, int>;
+  using Parameters = std::tuple<int, double, bool, bool, bool, int>;
 
   MeshKey Key;
   Parameters Values{};
   std::shared_ptr<const MeshData> Mesh; // kept for the steps that follow on the same mesh
   vtkSmartPointer<vtkDoubleArray> Array;
-  KnownDiameters Known;
 };
 
 vtkStandardNewMacro(vtkOversketchShapeDiameter);
@@ -44,8 +44,12 @@ void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInfor
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   RequirePolygonsOnly(input); // the key does not see other cells
   const MeshKey key(input, { input->GetPointData()->GetNormals() });
-  const Cache::Parameters values(
-    this->RayCount, this->ConeAngle, this->InverseAngleWeights, this->TurnCones, this->GetBackend());
+  const Cache::Parameters values(this->RayCount,
+    this->ConeAngle,
+    this->InverseAngleWeights,
+    this->TurnCones,
+    this->OnDemand,
+    this->GetBackend());
   Cache& cache = *this->Internals;
   if (!cache.Array || cache.Key != key || cache.Values != values)
   {
@@ -57,29 +61,42 @@ void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInfor
     options.inverseAngleWeights = this->InverseAngleWeights;
     options.turnCones = this->TurnCones;
     options.backend = this->KernelBackend();
-    cache.Known.nextMesh = cache.Mesh->KeptSurface();
-    cache.Known.nextNormals = cache.Mesh->KeptNormals();
     ++this->RayCastCount;
-    const ShapeDiameter result = computeShapeDiameter(cache.Mesh->Surface(),
-      cache.Mesh->Neighbours(),
-      cache.Mesh->Normals(),
-      options,
-      ContextOf(this),
-      nullptr,
-      &cache.Known);
-    if (!result.warning.empty())
+    const auto made = [this](const ShapeDiameter& result)
     {
-      Warn(this, result.warning);
+      if (!result.warning.empty())
+      {
+        Warn(this, result.warning);
+      }
+      this->UsedBackend(result.used);
+    };
+    if (this->OnDemand)
+    {
+      auto array = vtkSmartPointer<vtkOversketchDiametersOnDemand>::New();
+      array->SetName("ShapeDiameter");
+      array->Open(cache.Mesh, options, ContextOf(this));
+      made(array->Result());
+      cache.Array = array;
     }
-    this->UsedBackend(result.used);
-    this->TracedRayCount = static_cast<vtkIdType>(result.raysTraced);
-    this->NewRayCount = static_cast<vtkIdType>(result.raysCast);
+    else
+    {
+      const ShapeDiameter result = computeShapeDiameter(
+        cache.Mesh->Surface(), cache.Mesh->Neighbours(), cache.Mesh->Normals(), options, ContextOf(this));
+      made(result);
+      this->TracedRayCount = static_cast<vtkIdType>(result.raysCast);
+      cache.Array = ArrayOf<vtkDoubleArray>("ShapeDiameter", result.diameter);
+    }
     cache.Key = key;
     cache.Values = values;
-    cache.Array = ArrayOf<vtkDoubleArray>("ShapeDiameter", result.diameter);
   }
   output->ShallowCopy(input);
   output->GetPointData()->AddArray(cache.Array);
+}
+
+vtkIdType vtkOversketchShapeDiameter::GetTracedRayCount()
+{
+  auto* array = vtkOversketchDiametersOnDemand::SafeDownCast(this->Internals->Array);
+  return array ? static_cast<vtkIdType>(array->Result().raysCast) : this->TracedRayCount;
 }
 
 void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
@@ -89,7 +106,7 @@ void vtkOversketchShapeDiameter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ConeAngle: " << this->ConeAngle << "\n"
      << indent << "InverseAngleWeights: " << this->InverseAngleWeights << "\n"
      << indent << "TurnCones: " << this->TurnCones << "\n"
+     << indent << "OnDemand: " << this->OnDemand << "\n"
      << indent << "RayCastCount: " << this->RayCastCount << "\n"
-     << indent << "TracedRayCount: " << this->TracedRayCount << "\n"
-     << indent << "NewRayCount: " << this->NewRayCount << "\n";
+     << indent << "TracedRayCount: " << this->GetTracedRayCount() << "\n";
 }

@@ -27,11 +27,7 @@
  * their lengths agree to 1e-4, usually to the last bits, as lengths are refined in double precision.
  *
  * Cost: RayCount rays per vertex, about 5 million rays a second on two cores. The array is kept, as the same
- * object, while points, polygons, point normals and parameters stand. Of another mesh only those vertices are
- * cast anew that the mesh before it did not have with the same normal, and those whose cone meets a facet
- * that only one of the two has, whatever their numbers; the result is as if all were. All are where the mesh
- * grows out of its frame, a cube whose size is a power of two about a round place. Memory kept for it: 43
- * bytes a triangle and one a ray, 59 a triangle with 32 rays a vertex.
+ * object, while points, polygons, point normals and parameters stand.
  *
  * @sa vtkOversketchMixtureRegion
  */
@@ -89,20 +85,27 @@ public:
   vtkBooleanMacro(TurnCones, bool);
   ///@}
 
+  ///@{
   /**
-   * How many times rays have been cast: executions that the kept result did not answer.
+   * Compute values where a step downstream asks for them, as vtkOversketchMixtureRegion does of what its
+   * growth reads; default off: all. On, the array ShapeDiameter is 0 elsewhere, and each value is what it is
+   * when all are computed, bit for bit.
+   */
+  vtkSetMacro(OnDemand, bool);
+  vtkGetMacro(OnDemand, bool);
+  vtkBooleanMacro(OnDemand, bool);
+  ///@}
+
+  /**
+   * How many times rays have been made ready to be cast: executions that the kept result did not answer.
    */
   vtkGetMacro(RayCastCount, vtkIdType);
 
   /**
-   * Rays that the present result rests on: RayCount for each vertex that has a normal.
+   * Rays that have been cast for the present result: RayCount for each vertex that has a normal, or of those
+   * that were asked for.
    */
-  vtkGetMacro(TracedRayCount, vtkIdType);
-
-  /**
-   * Those of them that were cast for the present mesh and not for one before it.
-   */
-  vtkGetMacro(NewRayCount, vtkIdType);
+  vtkIdType GetTracedRayCount();
 
 protected:
   vtkOversketchShapeDiameter();
@@ -118,9 +121,9 @@ private:
   double ConeAngle = 60.0;
   bool InverseAngleWeights = false;
   bool TurnCones = true;
+  bool OnDemand = false;
   vtkIdType RayCastCount = 0;
   vtkIdType TracedRayCount = 0;
-  vtkIdType NewRayCount = 0;
 
   struct Cache;
   std::unique_ptr<Cache> Internals;

@@ -1,11 +1,6 @@
 #include "Mesh/match.h"
 
-#include "Mesh/context.h"
-
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstring>
 #include <utility>
 
 namespace oversketch
@@ -13,38 +8,6 @@ namespace oversketch
 
 namespace
 {
-
-using Bits = std::array<std::uint64_t, 3>;
-
-// 0 and -0 differ.
-Bits bitsOf(const Vector3& v)
-{
-  Bits bits;
-  std::memcpy(bits.data(), v.data(), sizeof bits);
-  return bits;
-}
-
-class Hash
-{
-public:
-  void add(const Vector3& v)
-  {
-    for (const std::uint64_t x : bitsOf(v))
-    {
-      this->Value = (this->Value ^ x) * 0x9e3779b97f4a7c15u;
-      this->Value ^= this->Value >> 32;
-    }
-  }
-  std::uint32_t value() const { return static_cast<std::uint32_t>(this->Value); }
-
-private:
-  std::uint64_t Value = 0;
-};
-
-bool same(const Vector3& a, const Vector3& b)
-{
-  return bitsOf(a) == bitsOf(b);
-}
 
 // Per item now an equal one before, or -1; and which ones before are equal to none now.
 struct Pairs
@@ -90,69 +53,6 @@ Pairs matchInOrder(int before, int now, int most, const Equal& equal)
       missed = 0;
     }
     lost += at < before ? 0 : 1;
-  }
-  return pairs;
-}
-
-// hash(side, i): of item i before (side 0) or now (side 1); equal(a, side, b): whether item a before is item
-// b of the side.
-template <typename HashOf, typename Equal>
-Pairs match(int before, int now, const HashOf& hash, const Equal& equal, const Context& context)
-{
-  Pairs pairs = matchInOrder(before, now, now, [&](int a, int b) { return equal(a, 1, b); });
-  // The others by their hashes.
-  std::vector<int> rest[2] = { marked(pairs.gone), {} };
-  for (int i = 0; i < now; ++i)
-  {
-    if (pairs.found[i] < 0)
-    {
-      rest[1].push_back(i);
-    }
-  }
-  std::vector<std::uint32_t> hashes[2];
-  for (int side = 0; side < 2; ++side)
-  {
-    hashes[side].resize(rest[side].size());
-    context.each(
-      static_cast<int>(rest[side].size()), [&](int i) { hashes[side][i] = hash(side, rest[side][i]); });
-  }
-  // Open addressing, at most half full.
-  std::uint32_t mask = 1;
-  while (mask < 2 * static_cast<std::uint32_t>(rest[0].size()))
-  {
-    mask *= 2;
-  }
-  std::vector<int> table(mask--, -1);
-  // Where an equal item stands, or where the search ended.
-  const auto place = [&](int side, int i)
-  {
-    std::uint32_t at = hashes[side][i] & mask;
-    while (table[at] >= 0 &&
-           !(hashes[0][table[at]] == hashes[side][i] && equal(rest[0][table[at]], side, rest[side][i])))
-    {
-      at = (at + 1) & mask;
-    }
-    return at;
-  };
-  const int unfound = static_cast<int>(rest[0].size());
-  for (int i = 0; i < unfound; ++i)
-  {
-    int& entry = table[place(0, i)];
-    pairs.gone[rest[0][i]] = entry < 0; // equal ones once
-    entry = entry < 0 ? i : entry;
-  }
-  context.each(static_cast<int>(rest[1].size()),
-    [&](int i)
-    {
-      const int entry = table[place(1, i)];
-      pairs.found[rest[1][i]] = entry < 0 ? -1 : rest[0][entry];
-    });
-  for (const int i : rest[1])
-  {
-    if (pairs.found[i] >= 0)
-    {
-      pairs.gone[pairs.found[i]] = 0;
-    }
   }
   return pairs;
 }
@@ -240,70 +140,6 @@ bool normalsAfter(const Mesh& before,
     result[w] = v >= 0 && !changed[w] && !gone[v] ? normals[v] : vertexNormal(now, around, w);
   }
   return true;
-}
-
-MeshMatch matchMeshes(const Mesh& before,
-  const std::vector<Vector3>& normalsBefore,
-  const Mesh& now,
-  const std::vector<Vector3>& normalsNow,
-  const Context& context)
-{
-  const Mesh* meshes[2] = { &before, &now };
-  const std::vector<Vector3>* normals[2] = { &normalsBefore, &normalsNow };
-  const auto matchVertices = [&]
-  {
-    return match(
-      before.vertexCount(),
-      now.vertexCount(),
-      [&](int side, int v)
-      {
-        Hash hash;
-        hash.add(meshes[side]->points[v]);
-        hash.add((*normals[side])[v]);
-        return hash.value();
-      },
-      [&](int a, int side, int b) {
-        return same(before.points[a], meshes[side]->points[b]) && same(normalsBefore[a], (*normals[side])[b]);
-      },
-      context);
-  };
-  const auto matchFacets = [&]
-  {
-    return match(
-      before.triangleCount(),
-      now.triangleCount(),
-      [&](int side, int t)
-      {
-        Hash hash;
-        for (const int v : meshes[side]->triangles[t])
-        {
-          hash.add(meshes[side]->points[v]);
-        }
-        return hash.value();
-      },
-      [&](int a, int side, int b)
-      {
-        const Triangle &s = before.triangles[a], &t = meshes[side]->triangles[b];
-        const std::vector<Vector3>& points = meshes[side]->points;
-        return same(before.points[s[0]], points[t[0]]) && same(before.points[s[1]], points[t[1]]) &&
-               same(before.points[s[2]], points[t[2]]);
-      },
-      context);
-  };
-  Pairs vertices, facets;
-  context.each(
-    2, [&](int which) { (which == 0 ? vertices : facets) = which == 0 ? matchVertices() : matchFacets(); });
-  MeshMatch result;
-  result.vertices = std::move(vertices.found);
-  for (int t = 0; t < now.triangleCount(); ++t)
-  {
-    if (facets.found[t] < 0)
-    {
-      result.added.push_back(t);
-    }
-  }
-  result.removed = marked(facets.gone);
-  return result;
 }
 
 } // namespace oversketch

@@ -1,5 +1,5 @@
-// Parts that two meshes have in common, bit for bit: of one that has come of the other by changes here and
-// there, or whatever the numbers of vertices and facets.
+// Parts that two meshes have in common, bit for bit, where one has come of the other by changes here and
+// there.
 #ifndef oversketch_kernels_mesh_match_h
 #define oversketch_kernels_mesh_match_h
 
@@ -23,20 +23,6 @@ bool normalsAfter(const Mesh& before,
   const Mesh& now,
   const Lists& around,
   std::vector<Vector3>& result);
-
-struct MeshMatch
-{
-  std::vector<int> vertices; // per vertex now: one before with the same point and normal, or -1
-  std::vector<int> added;    // facets now that were not there before, or fewer times, ascending
-  std::vector<int> removed;  // facets before that are there no more, ascending, equal ones once
-};
-
-// Facets are the same when their three points are, in the same order.
-MeshMatch matchMeshes(const Mesh& before,
-  const std::vector<Vector3>& normalsBefore,
-  const Mesh& now,
-  const std::vector<Vector3>& normalsNow,
-  const Context& context);
 
 } // namespace oversketch
 #endif

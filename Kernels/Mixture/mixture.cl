@@ -1,8 +1,8 @@
-// Greedy expectation maximisation of a 1-D Gaussian mixture in one launch of one work-group of any size; the order of
-// steps is that of mixture.cxx. Every work-item keeps the small state for itself, all alike, and sums over its own
-// samples, so an EM step needs one reduction and nothing else.
-// REAL is double where the device has it, else float; V holds WIDTH of them: 1 where work-items are the vector lanes,
-// 8 where there is one work-item. MAXIMUM is the largest number of components, TINY a number whose square is normal.
+// Greedy expectation maximisation of a 1-D Gaussian mixture in one launch of one work-group of any size; the
+// order of steps is that of mixture.cxx. Every work-item keeps the small state for itself, all alike, and
+// sums over its own samples, so an EM step needs one reduction and nothing else. REAL is double where the
+// device has it, else float; V holds WIDTH of them: 1 where work-items are the vector lanes, 8 where there is
+// one work-item. MAXIMUM is the largest number of components, TINY a number whose square is normal.
 #ifdef USE_DOUBLE
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 #endif
@@ -22,11 +22,12 @@
 #define V JOIN(REAL, 8)
 #define GROUP __attribute__((reqd_work_group_size(1, 1, 1)))
 #define UNROLL _Pragma("unroll")
-#define FULL(vectors) ((vectors) - 1)
+#define FULL(vectors) ((vectors)-1)
 #define LOAD(i, p) vload8(i, p)
 #define STORE(v, i, p) vstore8(v, i, p)
 #define TOTAL(v) ((((v).s0 + (v).s1) + ((v).s2 + (v).s3)) + (((v).s4 + (v).s5) + ((v).s6 + (v).s7)))
-#define LEAST(v) min(min(min((v).s0, (v).s1), min((v).s2, (v).s3)), min(min((v).s4, (v).s5), min((v).s6, (v).s7)))
+#define LEAST(v)                                                                                             \
+  min(min(min((v).s0, (v).s1), min((v).s2, (v).s3)), min(min((v).s4, (v).s5), min((v).s6, (v).s7)))
 #ifdef USE_DOUBLE
 #define BITS long8
 #define MANTISSA 52
@@ -40,9 +41,9 @@
 
 #define INLINE inline __attribute__((always_inline)) // calls would keep vectors in memory
 // A constant number of rounds, so that the compiler unrolls the loop and keeps arrays in registers.
-#define EACH(j, count)              \
-  UNROLL                            \
-  for (int j = 0; j < MAXIMUM; ++j) \
+#define EACH(j, count)                                                                                       \
+  UNROLL                                                                                                     \
+  for (int j = 0; j < MAXIMUM; ++j)                                                                          \
     if (j < (count))
 #define WEIGHT(k) (3 * (k))
 #define MEAN(k) (3 * (k) + 1)
@@ -54,8 +55,8 @@
 #define LN_2 ((REAL)0.6931471805599453)
 #define TOGETHER 4 // candidates to one reduction
 
-// 2^t for t <= 1000. The device's own is as good for a single number; as vectors its calls cost several times the
-// arithmetic. Below 2^-1000 everything is 2^-1000: nothing beside the largest component.
+// 2^t for t <= 1000. The device's own is as good for a single number; as vectors its calls cost several times
+// the arithmetic. Below 2^-1000 everything is 2^-1000: nothing beside the largest component.
 #if defined(USE_DOUBLE) && WIDTH > 1
 INLINE V power2(V t)
 {
@@ -77,7 +78,8 @@ INLINE V power2(V t)
 #define power2(t) exp2(t)
 #endif
 
-// The logarithm of a product, by one call at the end where calls are dear: factors between 1 and 2, exponents added.
+// The logarithm of a product, by one call at the end where calls are dear: factors between 1 and 2, exponents
+// added.
 typedef struct
 {
 #if WIDTH == 1
@@ -107,7 +109,8 @@ INLINE void multiply(Product* product, const V factor)
 #else
   const BITS bits = JOIN(as_, BITS)(product->mantissas * factor);
   product->exponents += bits >> MANTISSA;
-  product->mantissas = JOIN(as_, V)((bits & (((BITS)(1) << MANTISSA) - (BITS)(1))) | ((BITS)(BIAS) << MANTISSA));
+  product->mantissas =
+    JOIN(as_, V)((bits & (((BITS)(1) << MANTISSA) - (BITS)(1))) | ((BITS)(BIAS) << MANTISSA));
   product->factors += 1;
 #endif
 }
@@ -172,8 +175,8 @@ typedef struct
   local REAL *work, *shapes;
 } Task;
 
-// Per component the sums of r, r d and r d^2, r its share of a sample and d the sample's distance from its mean; then
-// what makes the log-likelihood.
+// Per component the sums of r, r d and r d^2, r its share of a sample and d the sample's distance from its
+// mean; then what makes the log-likelihood.
 typedef struct
 {
   REAL height[MAXIMUM], steepness[MAXIMUM], mean[MAXIMUM];
@@ -182,8 +185,8 @@ typedef struct
   Product product;
 } Sums;
 
-// Adds the samples x; in is 0 for padding, else 1. far: samples may be so far from all means that their densities
-// underflow; the largest is taken out.
+// Adds the samples x; in is 0 for padding, else 1. far: samples may be so far from all means that their
+// densities underflow; the largest is taken out.
 INLINE void addSums(const int components, const bool far, const V x, const V in, Sums* sums)
 {
   V terms[MAXIMUM], off[MAXIMUM];
@@ -214,8 +217,8 @@ INLINE void addSums(const int components, const bool far, const V x, const V in,
   }
 }
 
-// The sums over this work-item's samples, three for each component, then the log-likelihood. Returns whether no sample's
-// density came near an underflow.
+// The sums over this work-item's samples, three for each component, then the log-likelihood. Returns whether
+// no sample's density came near an underflow.
 INLINE bool ownSums(const int components, const bool far, const Task* task, const REAL* mixture, REAL* result)
 {
   Sums sums;
@@ -267,17 +270,22 @@ INLINE REAL step(const int components, const Task* task, const REAL* mixture, RE
   return sums[3 * components];
 }
 
-// What a candidate's score is made of: the sums of delta and delta^2, and the log-likelihood of mixture and candidate in
-// equal shares.
+// What a candidate's score is made of: the sums of delta and delta^2, and the log-likelihood of mixture and
+// candidate in equal shares.
 typedef struct
 {
   V sum, squares;
   Product product;
 } Score;
 
-// Adds two vectors of samples with the mixture's density and the candidate's there, by one division; in is 0 for
-// padding, else 1.
-INLINE void addScores(const V density1, const V shape1, const V in1, const V density2, const V shape2, const V in2,
+// Adds two vectors of samples with the mixture's density and the candidate's there, by one division; in is 0
+// for padding, else 1.
+INLINE void addScores(const V density1,
+  const V shape1,
+  const V in1,
+  const V density2,
+  const V shape2,
+  const V in2,
   Score* score)
 {
   const V total1 = in1 > 0 ? max(density1 + shape1, (V)(TINY)) : (V)(1); // both may underflow
@@ -291,8 +299,8 @@ INLINE void addScores(const V density1, const V shape1, const V in1, const V den
   score->squares += delta1 * delta1 + delta2 * delta2;
 }
 
-// The density of a candidate at the samples of vector i: made, or found in local memory, where it is kept for the next
-// insertions.
+// The density of a candidate at the samples of vector i: made, or found in local memory, where it is kept for
+// the next insertions.
 INLINE V shapeAt(const Task* task, const bool keep, const bool found, const int candidate, const int i)
 {
   const int place = candidate * task->vectors + i;
@@ -318,8 +326,13 @@ INLINE void ownScore(const Task* task, const bool keep, const bool found, const 
   int i = FIRST;
   for (; i + STRIDE < FULL(task->vectors); i += 2 * STRIDE)
   {
-    addScores(LOAD(i, task->density), shapeAt(task, keep, found, candidate, i), (V)(1),
-      LOAD(i + STRIDE, task->density), shapeAt(task, keep, found, candidate, i + STRIDE), (V)(1), &score);
+    addScores(LOAD(i, task->density),
+      shapeAt(task, keep, found, candidate, i),
+      (V)(1),
+      LOAD(i + STRIDE, task->density),
+      shapeAt(task, keep, found, candidate, i + STRIDE),
+      (V)(1),
+      &score);
   }
   V density = (V)(0), shape = (V)(0), in = (V)(0);
   if (i < FULL(task->vectors))
@@ -330,8 +343,13 @@ INLINE void ownScore(const Task* task, const bool keep, const bool found, const 
   }
 #if WIDTH > 1
   const int last = task->vectors - 1;
-  addScores(density, shape, in, LOAD(last, task->density), shapeAt(task, keep, found, candidate, last),
-    LOAD(0, task->inside), &score);
+  addScores(density,
+    shape,
+    in,
+    LOAD(last, task->density),
+    shapeAt(task, keep, found, candidate, last),
+    LOAD(0, task->inside),
+    &score);
 #else
   addScores(density, shape, in, (V)(0), (V)(0), (V)(0), &score);
 #endif
@@ -347,8 +365,8 @@ typedef struct
   int components, steps;
 } Fit;
 
-// Inserts one more component into a fit with so many and runs EM. False, and the fit as it was, when the likelihood does
-// not rise.
+// Inserts one more component into a fit with so many and runs EM. False, and the fit as it was, when the
+// likelihood does not rise.
 INLINE bool insert(const int components, const Task* task, Fit* fit)
 {
   REAL height[MAXIMUM], steepness[MAXIMUM];
@@ -441,13 +459,23 @@ INLINE bool insert(const int components, const Task* task, Fit* fit)
   return true;
 }
 
-// input: `vectors` of V with the n samples, the last one padded; one V with 1 for a sample of the last vector, 0 for
-// padding; the candidates' means. density: scratch for a number at each sample. shapes: the same for each of the first
-// `kept` candidates. result: weight, mean, variance per component, then the log-likelihood,
-// the number of components and of EM steps.
-kernel GROUP void greedyMixture(const int n, const int vectors, const int candidates, const int kept,
-  global const REAL* input, const REAL width, const REAL floor_, const int maximumSteps, const REAL gain,
-  global REAL* density, local REAL* work, local REAL* shapes, global REAL* result)
+// input: `vectors` of V with the n samples, the last one padded; one V with 1 for a sample of the last
+// vector, 0 for padding; the candidates' means. density: scratch for a number at each sample. shapes: the
+// same for each of the first `kept` candidates. result: weight, mean, variance per component, then the
+// log-likelihood, the number of components and of EM steps.
+kernel GROUP void greedyMixture(const int n,
+  const int vectors,
+  const int candidates,
+  const int kept,
+  global const REAL* input,
+  const REAL width,
+  const REAL floor_,
+  const int maximumSteps,
+  const REAL gain,
+  global REAL* density,
+  local REAL* work,
+  local REAL* shapes,
+  global REAL* result)
 {
   Task task;
   task.n = n;
@@ -482,8 +510,7 @@ kernel GROUP void greedyMixture(const int n, const int vectors, const int candid
 #else
   // With the number of components known, the compiler keeps everything in registers: a call for each number.
 #define INSERT(k) (k < MAXIMUM && insert(min(k, MAXIMUM - 1), &task, &fit))
-  const bool all =
-    INSERT(1) && INSERT(2) && INSERT(3) && INSERT(4) && INSERT(5) && INSERT(6) && INSERT(7);
+  const bool all = INSERT(1) && INSERT(2) && INSERT(3) && INSERT(4) && INSERT(5) && INSERT(6) && INSERT(7);
   (void)all;
 #endif
   if (get_local_id(0) == 0)

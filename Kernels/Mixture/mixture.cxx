@@ -231,45 +231,35 @@ std::vector<int> drawWithoutReplacement(int population, int maximum, int seed)
   return indices;
 }
 
-std::vector<double> evenSamples(const std::vector<double>& values,
-  const std::vector<double>& weights,
-  int maximum,
-  const Context& context)
+std::vector<int> evenItems(const std::vector<double>& weights, int maximum)
 {
-  std::vector<std::pair<double, double>> sorted; // value, weight
-  sorted.reserve(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    sorted.emplace_back(values[i], weights.empty() ? 1.0 : weights[i]);
-  }
-  // In halves, so that two threads can.
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
-  context.each(
-    2, [&](int half) { std::sort(half == 0 ? sorted.begin() : middle, half == 0 ? middle : sorted.end()); });
-  std::inplace_merge(sorted.begin(), middle, sorted.end());
-  double all = 0.0;
-  for (const auto& [value, weight] : sorted)
-  {
-    all += weight;
-  }
-  if (!(all > 0.0))
-  {
-    return weights.empty() ? std::vector<double>() : evenSamples(values, {}, maximum, context);
-  }
-  const std::size_t count = std::min(sorted.size(), static_cast<std::size_t>(maximum));
-  const double step = all / static_cast<double>(count);
-  std::vector<double> samples;
-  samples.reserve(count);
+  const double all = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const bool alike = !(all > 0.0);
+  const std::size_t count = std::min(weights.size(), static_cast<std::size_t>(maximum));
+  const double step = (alike ? static_cast<double>(weights.size()) : all) / static_cast<double>(count);
+  std::vector<int> items;
+  items.reserve(count);
   double passed = 0.0;
-  for (const auto& [value, weight] : sorted)
+  for (std::size_t i = 0; i < weights.size(); ++i)
   {
-    passed += weight;
-    while (samples.size() < count && (static_cast<double>(samples.size()) + 0.5) * step <= passed)
+    passed += alike ? 1.0 : weights[i];
+    while (items.size() < count && (static_cast<double>(items.size()) + 0.5) * step <= passed)
     {
-      samples.push_back(value);
+      items.push_back(static_cast<int>(i));
     }
   }
-  samples.resize(count, sorted.back().first); // rounding may leave the last one
+  items.resize(count, static_cast<int>(weights.size()) - 1); // rounding may leave the last one
+  return items;
+}
+
+std::vector<double> evenSamples(std::vector<double> values, int maximum)
+{
+  std::sort(values.begin(), values.end());
+  std::vector<double> samples;
+  for (const int i : evenItems(std::vector<double>(values.size(), 1.0), maximum))
+  {
+    samples.push_back(values[i]);
+  }
   return samples;
 }
 

@@ -81,13 +81,12 @@ MixtureFit fitMixture(const std::vector<double>& samples,
 // The same for the same seed on every platform.
 std::vector<int> drawWithoutReplacement(int population, int maximum, int seed);
 
-// At most `maximum` of the values at equal steps of their weights, ascending: as many of each as its weight's
-// share of all, so that they do not depend on the values' order. Weights are not negative, as many as there
-// are values; none, or weights that are all zero, stand for equal ones.
-std::vector<double> evenSamples(const std::vector<double>& values,
-  const std::vector<double>& weights,
-  int maximum,
-  const Context& context = Context());
+// At most `maximum` of the items 0 .. weights.size() - 1 at equal steps of their weights, ascending: as many
+// of each as its weight's share of all. Weights that are all zero stand for equal ones.
+std::vector<int> evenItems(const std::vector<double>& weights, int maximum);
+
+// At most `maximum` of the values at equal steps of their number, ascending.
+std::vector<double> evenSamples(std::vector<double> values, int maximum);
 
 // fitMixture on the device, in one launch: a single work-group runs every EM step and insertion, so the host
 // need not synchronise; one buffer goes there, one comes back. Double precision where the device has it (then

@@ -270,29 +270,32 @@ TEST(Mixture, DrawsAreDistinctFixedAndComplete)
   EXPECT_EQ(drawWithoutReplacement(5, 2048, 1), (std::vector<int>{ 0, 1, 2, 3, 4 }));
 }
 
-TEST(Mixture, EvenSamplesFollowTheWeightsAndNotTheOrder)
+TEST(Mixture, EvenItemsFollowTheWeights)
 {
-  // A tenth of the weight on 1, the rest on 2 and 3 as one to two.
-  const std::vector<double> values{ 3.0, 1.0, 2.0, 3.0 }, weights{ 0.3, 0.1, 0.3, 0.3 };
-  std::vector<double> drawn;
-  for (int k = 0; k < 250; ++k)
+  // A tenth of the weight on the first of four, the others three tenths each.
+  std::vector<double> weights;
+  for (int k = 0; k < 1000; ++k)
   {
-    drawn.insert(drawn.end(), values.begin(), values.end());
+    weights.push_back(k % 4 == 0 ? 0.1 : 0.3);
   }
-  std::vector<double> weighed;
-  for (std::size_t i = 0; i < drawn.size(); ++i)
+  const std::vector<int> items = evenItems(weights, 100);
+  EXPECT_EQ(items.size(), 100u);
+  EXPECT_TRUE(std::is_sorted(items.begin(), items.end()));
+  // Each stands for a hundredth: of every ten items in their order, two and a half groups of four.
+  for (int k = 0; k < 100; ++k)
   {
-    weighed.push_back(weights[i % 4]);
+    EXPECT_NEAR(items[k], 10 * k + 5, 2);
   }
-  const std::vector<double> samples = evenSamples(drawn, weighed, 100);
-  EXPECT_EQ(samples.size(), 100u);
-  EXPECT_TRUE(std::is_sorted(samples.begin(), samples.end()));
-  EXPECT_EQ(std::count(samples.begin(), samples.end(), 1.0), 10);
-  EXPECT_EQ(std::count(samples.begin(), samples.end(), 2.0), 30);
-  std::vector<double> otherValues(drawn.rbegin(), drawn.rend()),
-    otherWeights(weighed.rbegin(), weighed.rend());
-  EXPECT_EQ(evenSamples(otherValues, otherWeights, 100), samples);
-  EXPECT_EQ(evenSamples(values, {}, 2048), (std::vector<double>{ 1.0, 2.0, 3.0, 3.0 }));
-  EXPECT_EQ(evenSamples(values, { 0.0, 0.0, 0.0, 0.0 }, 2), (std::vector<double>{ 1.0, 3.0 }));
-  EXPECT_TRUE(evenSamples({}, {}, 10).empty());
+  EXPECT_EQ(evenItems({ 0.0, 1.0, 0.0, 3.0 }, 4), (std::vector<int>{ 1, 3, 3, 3 }));
+  EXPECT_EQ(evenItems({ 0.0, 0.0, 0.0, 0.0 }, 2), (std::vector<int>{ 0, 2 }));
+  EXPECT_EQ(evenItems({ 2.0, 2.0 }, 2048), (std::vector<int>{ 0, 1 }));
+  EXPECT_TRUE(evenItems({}, 10).empty());
+}
+
+TEST(Mixture, EvenSamplesDoNotDependOnTheOrder)
+{
+  EXPECT_EQ(evenSamples({ 3.0, 1.0, 2.0, 3.0 }, 2048), (std::vector<double>{ 1.0, 2.0, 3.0, 3.0 }));
+  EXPECT_EQ(evenSamples({ 4.0, 1.0, 3.0, 2.0 }, 2), evenSamples({ 1.0, 2.0, 3.0, 4.0 }, 2));
+  EXPECT_EQ(evenSamples({ 1.0, 2.0, 3.0, 4.0 }, 2), (std::vector<double>{ 1.0, 3.0 }));
+  EXPECT_TRUE(evenSamples({}, 10).empty());
 }

@@ -68,8 +68,7 @@ int8 sorted(int8 x)
 
 kernel void cast_rays(global const float8* nodes, global const float8* packs, global const float4* facets,
   global const float4* points, global const int* places, global const int* vertices,
-  global const float* directions, global const float2* bounds, const int bounded, const int raysPerVertex, const int rays,
-  global float2* hits)
+  global const float* directions, const int raysPerVertex, const int rays, global float2* hits)
 {
   const int ray = (int)get_global_id(0);
   if (ray >= rays)
@@ -109,9 +108,7 @@ kernel void cast_rays(global const float8* nodes, global const float8* packs, gl
   const float sz = 1.0f / d[kz];
   const float okx = o[kx], oky = o[ky], okz = o[kz];
 
-  // A hit nearer than the first bound there is not, and one farther than the second does not matter.
-  const float low = bounded ? fmax(bounds[ray].x, NEAREST_EXIT) : NEAREST_EXIT;
-  float best = bounded ? bounds[ray].y : MAXFLOAT;
+  float best = MAXFLOAT;
   int bestTriangle = -1;
   // A waiting child: how near it is, its last bits replaced by its place in the node; and the node.
   int keys[STACK_SIZE];
@@ -124,7 +121,7 @@ kernel void cast_rays(global const float8* nodes, global const float8* packs, gl
     {
       global const float8* node = nodes + NODE * at;
       const float8 near8 = max(max((node[first[0]] - o[0]) * inverse[0], (node[1 + first[1]] - o[1]) * inverse[1]),
-        max((node[2 + first[2]] - o[2]) * inverse[2], (float8)(low)));
+        max((node[2 + first[2]] - o[2]) * inverse[2], (float8)(NEAREST_EXIT)));
       // Widened by the rounding of the products, so that no box is missed that holds a hit.
       const float8 far8 = 1.000001f *
         min(min((node[3 - first[0]] - o[0]) * inverse[0], (node[4 - first[1]] - o[1]) * inverse[1]),

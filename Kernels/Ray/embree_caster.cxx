@@ -106,14 +106,13 @@ public:
           const std::size_t first = static_cast<std::size_t>(i) * rays.raysPerVertex;
           const std::array<float, 3>* directions = rays.directions.data() + first;
           RayHit* found = hits.data() + first;
-          const float start = std::max(rays.starts[i], nearestExit);
           Query query;
           query.place = this->Scene.places[rays.vertices[i]];
           query.keepsOn = false;
           // Nearly always the first facet that is hit is the one.
           for (int k = 0; k < rays.raysPerVertex; ++k)
           {
-            const RTCRayHit ray = this->trace(query, rays.vertices[i], start, directions[k]);
+            const RTCRayHit ray = this->trace(query, rays.vertices[i], directions[k]);
             doubtful[k] = query.tied || atEdge(ray.hit);
             found[k] = { std::numeric_limits<float>::max(), -1 };
             if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
@@ -131,14 +130,14 @@ public:
                     query.facets[found[k].triangle], query.place, directions[k], found[k].distance)))
             {
               query.direction = directions[k];
-              this->trace(query, rays.vertices[i], start, directions[k]);
+              this->trace(query, rays.vertices[i], directions[k]);
               found[k] = query.best;
               if (found[k].triangle >= 0)
               {
                 // Once more without shortening: nodes whose bounds the rounded distances of two neighbours
                 // lie apart from are then entered in any tree.
                 query.keepsOn = true;
-                this->trace(query, rays.vertices[i], start, directions[k], 1.0001f * found[k].distance);
+                this->trace(query, rays.vertices[i], directions[k], 1.0001f * found[k].distance);
                 query.keepsOn = false;
                 found[k] = query.best;
               }
@@ -153,14 +152,17 @@ public:
 private:
   RTCRayHit trace(Query& query,
     int vertex,
-    float start,
     const std::array<float, 3>& direction,
     float end = std::numeric_limits<float>::infinity()) const
   {
     query.best = { std::numeric_limits<float>::max(), -1 };
     query.tied = false;
-    return embree::trace(
-      this->Embree.get(), query.context, this->Scene.points[vertex].data(), direction.data(), start, end);
+    return embree::trace(this->Embree.get(),
+      query.context,
+      this->Scene.points[vertex].data(),
+      direction.data(),
+      nearestExit,
+      end);
   }
 
   const RayScene& Scene;

@@ -38,8 +38,7 @@ public:
                     offsetof(Bvh::Node, child) == 48 * sizeof(float) &&
                     offsetof(Bvh::Node, normalLower) == 28 * 8 && sizeof(RayFacet) == 4 * 4 * sizeof(float) &&
                     offsetof(RayFacet, plane) == 3 * sizeof(double) &&
-                    offsetof(RayFacet, offset) == 6 * sizeof(double) && sizeof(RayHit) == 2 * sizeof(float) &&
-                    sizeof(RayBounds) == 2 * sizeof(float),
+                    offsetof(RayFacet, offset) == 6 * sizeof(double) && sizeof(RayHit) == 2 * sizeof(float),
       "the sizes that cast_rays.cl counts in");
     // Few different programs: depths are rounded up. A node's children are written all at once.
     const int stackSize = (this->Tree.stackSize + Bvh::width + 31) / 32 * 32;
@@ -70,24 +69,16 @@ public:
       {
         const cl::Buffer vertices = shared(*this->ClDevice, rays.vertices);
         const cl::Buffer directions = shared(*this->ClDevice, rays.directions);
-        const cl::Buffer bounds = shared(*this->ClDevice, rays.bounds);
         const cl::Buffer found(this->ClDevice->context(),
           CL_MEM_WRITE_ONLY | (this->ClDevice->info().cpu ? CL_MEM_USE_HOST_PTR : 0),
           count * sizeof(RayHit),
           this->ClDevice->info().cpu ? hits.data() : nullptr);
         int argument = 0;
-        for (const cl::Buffer& buffer : { this->Nodes,
-               this->Packs,
-               this->Facets,
-               this->Points,
-               this->Places,
-               vertices,
-               directions,
-               bounds })
+        for (const cl::Buffer& buffer :
+          { this->Nodes, this->Packs, this->Facets, this->Points, this->Places, vertices, directions })
         {
           this->Kernel.setArg(argument++, buffer);
         }
-        this->Kernel.setArg(argument++, rays.bounds.empty() ? 0 : 1);
         this->Kernel.setArg(argument++, rays.raysPerVertex);
         this->Kernel.setArg(argument++, static_cast<int>(count));
         this->Kernel.setArg(argument++, found);

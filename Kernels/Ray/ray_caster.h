@@ -41,6 +41,9 @@ struct RayFrame
     return this->centre == other.centre && this->scale == other.scale;
   }
 
+  // A point of the model in the scene, not rounded.
+  Vector3 inScene(const Vector3& point) const { return (point - this->centre) / this->scale; }
+
   Vector3 centre = Vector3::Zero();
   double scale = 1.0; // model length of one unit of the scene
 };
@@ -54,9 +57,6 @@ struct RayScene
   }
   RayScene(const Mesh& mesh, const RayFrame& within, const Context& context);
 
-  // A point of the model in the scene, not rounded.
-  Vector3 inScene(const Vector3& point) const { return (point - this->frame.centre) / this->frame.scale; }
-
   std::vector<std::array<float, 4>> points; // x y z and padding
   std::vector<int> order;                   // the vertices along a space-filling curve
   std::vector<int> places; // per vertex the lowest vertex at the same place: seams are no gaps
@@ -67,25 +67,12 @@ private:
   void findPlaces(const std::vector<std::uint32_t>& cells);
 };
 
-// Knowledge of a ray [unit of the scene]: it leaves through no facet nearer than `low`, and whether it
-// does through one farther than `high` does not matter: such a hit need not be found. A caster need not use
-// it.
-struct RayBounds
-{
-  float low = 0.0f;
-  float high = std::numeric_limits<float>::max();
-};
-
 // Rays in groups of equal size, each group with its own origin, a vertex of the mesh.
 struct RayBatch
 {
   int raysPerVertex = 0;
   std::vector<int> vertices;
-  // Per vertex: its rays leave through no facet nearer than this [unit of the scene]. A caster need not use
-  // it.
-  std::vector<float> starts;
   std::vector<std::array<float, 3>> directions; // raysPerVertex per vertex
-  std::vector<RayBounds> bounds;                // per ray, or empty: nothing is known of any
 };
 
 struct RayHit
@@ -138,7 +125,7 @@ public:
   // Hits come in the order of the rays. On a cancelled context the hits are incomplete.
   virtual void cast(const RayBatch& rays, std::vector<RayHit>& hits, const Context& context) = 0;
 
-  // Whether several threads may call cast() at a time, and starts save time.
+  // Whether several threads may call cast() at a time.
   virtual bool onHost() const = 0;
 };
 
@@ -156,6 +143,9 @@ struct CurveOrder
   std::vector<std::uint32_t> cells; // of each of them where the curve reaches its cell: the same in one cell
 };
 CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
+
+// The vertices of a mesh along that curve.
+std::vector<int> alongCurve(const Mesh& mesh, const Context& context);
 
 } // namespace oversketch
 #endif

@@ -205,18 +205,34 @@ RayFrame::RayFrame(const Mesh& mesh)
   }
 }
 
+namespace
+{
+
+std::vector<std::array<float, 4>> rounded(const Mesh& mesh, const RayFrame& frame, const Context& context)
+{
+  std::vector<std::array<float, 4>> points(mesh.points.size());
+  context.each(mesh.vertexCount(),
+    [&](int v)
+    {
+      const Eigen::Vector3f q = frame.inScene(mesh.points[v]).cast<float>();
+      points[v] = { q[0], q[1], q[2], 0.0f };
+    });
+  return points;
+}
+
+} // namespace
+
+std::vector<int> alongCurve(const Mesh& mesh, const Context& context)
+{
+  return curveOrder(rounded(mesh, RayFrame(mesh), context), context).indices;
+}
+
 RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& context)
-  : points(mesh.points.size())
+  : points(rounded(mesh, within, context))
   , places(mesh.points.size())
   , facets(mesh.triangles.size())
   , frame(within)
 {
-  context.each(mesh.vertexCount(),
-    [&](int v)
-    {
-      const Eigen::Vector3f q = this->inScene(mesh.points[v]).cast<float>();
-      this->points[v] = { q[0], q[1], q[2], 0.0f };
-    });
   CurveOrder along = curveOrder(this->points, context);
   this->order = std::move(along.indices);
   this->findPlaces(along.cells);
@@ -225,7 +241,7 @@ RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& cont
     {
       const Triangle& t = mesh.triangles[i];
       RayFacet& facet = this->facets[i];
-      const Vector3 a = this->inScene(mesh.points[t[0]]);
+      const Vector3 a = within.inScene(mesh.points[t[0]]);
       // In the unit of the scene: the cross product of tiny edges would otherwise underflow.
       facet.plane = ((mesh.points[t[1]] - mesh.points[t[0]]) / within.scale)
                       .cross((mesh.points[t[2]] - mesh.points[t[0]]) / within.scale);

@@ -1,8 +1,6 @@
 #include "Ray/shape_diameter.h"
 
-#include "Ray/known_diameters.h"
 #include "Ray/ray_caster.h"
-#include "Ray/ray_starts.h"
 #include "Ray/wide.h"
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 namespace oversketch
 {
@@ -22,7 +21,6 @@ constexpr int raysPerBlock =
   1 << 18;                          // a block's arrays stay in the cache, and a cancel waits for one at most
 constexpr int verticesPerPart = 32; // of a block
 constexpr double evenRing = 1e-4;   // of the edges' sum: less is rounding, also far from the origin
-constexpr int fewCones = 4;         // a part of all for which starts cost more than they save
 
 // Length of the ray [model length] to the plane of the facet that the caster found, in double precision. The
 // caster's own length stands where the ray grazes the plane, or the corners moved more than it when they were
@@ -98,240 +96,6 @@ double medianOf(const double* values, int count)
     middle[0] = count % 2 ? *half : *std::max_element(parted.begin(), half);
   }
   return 0.5 * (middle[0] + middle[1]);
-}
-
-// Values for vertices that no ray measured.
-void fillUnmeasured(const Mesh& mesh, const Adjacency& adjacency, ShapeDiameter& result)
-{
-  std::vector<int> open;
-  double sum = 0.0;
-  for (int v = 0; v < mesh.vertexCount(); ++v)
-  {
-    if (result.measured[v])
-      sum += result.diameter[v];
-    else
-      open.push_back(v);
-  }
-  if (open.empty())
-  {
-    return;
-  }
-  const std::size_t measured = result.measured.size() - open.size();
-  std::vector<char> known = result.measured;
-  std::vector<int> rest, filled;
-  for (bool grown = true; grown && !open.empty();)
-  {
-    rest.clear();
-    filled.clear();
-    for (const int v : open)
-    {
-      double neighbours = 0.0;
-      int count = 0;
-      for (const int n : adjacency.vertexVertices[v])
-      {
-        if (known[n])
-        {
-          neighbours += result.diameter[n];
-          ++count;
-        }
-      }
-      if (count > 0)
-      {
-        result.diameter[v] = neighbours / count;
-        filled.push_back(v);
-      }
-      else
-      {
-        rest.push_back(v);
-      }
-    }
-    // Only now: a ring is filled from the ring before, whatever the order of its vertices.
-    for (const int v : filled)
-    {
-      known[v] = 1;
-    }
-    grown = !filled.empty();
-    open.swap(rest);
-  }
-  const double fallback = measured > 0 ? sum / static_cast<double>(measured) : boundingDiagonal(mesh);
-  for (const int v : open)
-  {
-    result.diameter[v] = fallback;
-  }
-}
-
-// The rays of all vertices that have a normal and are not known: what is the same for each, and the work on a
-// part of them.
-class VertexRays
-{
-public:
-  VertexRays(const Mesh& mesh,
-    const RayScene& scene,
-    const std::vector<Vector3>& normals,
-    const std::vector<Vector3>& sides,
-    const ShapeDiameterOptions& options,
-    const TakenOver& known)
-    : Model(mesh)
-    , Scene(scene)
-    , Normals(normals)
-    , Sides(sides)
-    , Cone(coneDirections(options.rayCount, options.coneAngle))
-    , Weights(options.rayCount, 1.0)
-    , Known(known)
-  {
-    for (int k = 0; options.inverseAngleWeights && k < options.rayCount; ++k)
-    {
-      this->Weights[k] = 1.0 / std::acos(this->Cone[k][2]);
-    }
-    // Rays traced together then visit the same nodes.
-    std::copy_if(scene.order.begin(),
-      scene.order.end(),
-      std::back_inserter(this->Vertices),
-      [&](int v) { return !known.kept[v] && normals[v].squaredNorm() > 0.0; });
-    this->Starts.resize(this->Vertices.size());
-  }
-
-  // Only where they save more than they cost.
-  void findStarts(const Context& context)
-  {
-    if (this->Vertices.size() > this->Scene.points.size() / fewCones)
-    {
-      this->Starts =
-        rayStarts(this->Scene, this->Normals, this->Vertices, std::acos(this->Cone.back()[2]), context);
-    }
-  }
-
-  int vertexCount() const { return static_cast<int>(this->Vertices.size()); }
-  int rayCount() const { return static_cast<int>(this->Cone.size()); }
-
-  // Traces and summarises the vertices [first, first + count).
-  void measure(int first,
-    int count,
-    RayCaster& caster,
-    const Context& context,
-    ConeMeasures& result,
-    std::vector<ConeHit>* allHits) const
-  {
-    const int rays = this->rayCount();
-    RayBatch batch =
-      conesOf(this->Vertices.data() + first, count, this->Normals, this->Sides, this->Cone, context);
-    batch.starts.assign(this->Starts.begin() + first, this->Starts.begin() + first + count);
-    this->addBounds(batch);
-    std::vector<RayHit> hits;
-    caster.cast(batch, hits, context);
-    if (context.cancelled())
-    {
-      return;
-    }
-    context.parallelFor(count,
-      [&](int begin, int end)
-      {
-        std::vector<ConeHit> lengths(rays);
-        for (int i = begin; i < end; ++i)
-        {
-          // The next one's facets are on their way meanwhile.
-          const std::size_t next = static_cast<std::size_t>(std::min(i + 1, end - 1)) * rays;
-          for (std::size_t ray = next; ray < next + rays; ++ray)
-          {
-            prefetch(&this->Scene.facets[std::max(hits[ray].triangle, 0)]);
-          }
-          const int v = batch.vertices[i];
-          const Vector3 origin = this->Scene.inScene(this->Model.points[v]);
-          const Eigen::Matrix3d frame = frameAround(-this->Normals[v], this->Sides[v]);
-          float reach = 0.0f;
-          for (int k = 0; k < rays; ++k)
-          {
-            const RayHit& hit = hits[static_cast<std::size_t>(i) * rays + k];
-            lengths[k] = ConeHit();
-            reach =
-              std::max(reach, hit.triangle >= 0 ? hit.distance : std::numeric_limits<float>::infinity());
-            if (hit.triangle >= 0)
-            {
-              lengths[k] = { refine(this->Scene, hit, origin, frame * this->Cone[k]), hit.triangle };
-            }
-          }
-          if (allHits)
-          {
-            std::copy(
-              lengths.begin(), lengths.end(), allHits->begin() + static_cast<std::ptrdiff_t>(v) * rays);
-          }
-          const double diameter = summarise(lengths.data(), this->Weights);
-          result.measured[v] = diameter >= 0.0;
-          result.diameter[v] = std::max(0.0, diameter);
-          result.reach[v] = reach;
-          const RayLengths packing(reach);
-          for (int k = 0; k < rays; ++k)
-          {
-            result.lengths[static_cast<std::size_t>(v) * rays + k] =
-              packing.pack(hits[static_cast<std::size_t>(i) * rays + k]);
-          }
-        }
-      });
-  }
-
-private:
-  // Adds what is known of the rays of a batch, where something is.
-  void addBounds(RayBatch& batch) const
-  {
-    if (this->Known.bounds.empty())
-    {
-      return;
-    }
-    const std::ptrdiff_t rays = this->rayCount();
-    batch.bounds.resize(batch.directions.size());
-    for (std::size_t i = 0; i < batch.vertices.size(); ++i)
-    {
-      const int row = this->Known.rows[batch.vertices[i]];
-      if (row >= 0)
-      {
-        std::copy_n(this->Known.bounds.begin() + row * rays,
-          rays,
-          batch.bounds.begin() + static_cast<std::ptrdiff_t>(i) * rays);
-      }
-    }
-  }
-
-  const Mesh& Model;
-  const RayScene& Scene;
-  const std::vector<Vector3>& Normals;
-  const std::vector<Vector3>& Sides;
-  std::vector<Vector3> Cone;
-  std::vector<double> Weights;
-  const TakenOver& Known;
-  std::vector<int> Vertices; // along the curve of the scene
-  std::vector<float> Starts;
-};
-
-void traceAndSummarise(const VertexRays& cones,
-  RayCaster& caster,
-  const Context& context,
-  ConeMeasures& result,
-  std::vector<ConeHit>* allHits)
-{
-  const int total = cones.vertexCount();
-  const int blockSize = std::max(1, raysPerBlock / cones.rayCount());
-  for (int first = 0; first < total; first += blockSize)
-  {
-    context.checkpoint(static_cast<double>(first) / total);
-    const int count = std::min(blockSize, total - first);
-    if (caster.onHost())
-    {
-      // Each part from its rays to its values at once, while they are in the cache.
-      const int parts = (count + verticesPerPart - 1) / verticesPerPart;
-      context.eachUntilCancelled(parts,
-        [&](int part)
-        {
-          const int start = part * verticesPerPart;
-          cones.measure(
-            first + start, std::min(verticesPerPart, count - start), caster, Context(), result, allHits);
-        });
-    }
-    else
-    {
-      cones.measure(first, count, caster, context, result, allHits);
-    }
-    context.checkpoint(static_cast<double>(first + count) / total);
-  }
 }
 
 } // namespace
@@ -450,94 +214,385 @@ double summarise(const ConeHit* hits, const std::vector<double>& weights)
          sumOf(count, [&](int k) { return weight[k]; });
 }
 
+// What is the same for the rays of all vertices, and the work on a part of them.
+class Diameters::Cones
+{
+public:
+  Cones(const Mesh& mesh,
+    const Adjacency& adjacency,
+    const std::vector<Vector3>& normals,
+    const ShapeDiameterOptions& options,
+    const Context& context)
+    : Scene(mesh, context)
+    , Sides(options.turnCones ? coneSides(mesh, this->Scene, adjacency.vertexTriangles, normals, context)
+                              : std::vector<Vector3>(mesh.points.size(), Vector3::Zero()))
+    , Model(mesh)
+    , Normals(normals)
+    , Cone(coneDirections(options.rayCount, options.coneAngle))
+    , Weights(options.rayCount, 1.0)
+  {
+    for (int k = 0; options.inverseAngleWeights && k < options.rayCount; ++k)
+    {
+      this->Weights[k] = 1.0 / std::acos(this->Cone[k][2]);
+    }
+  }
+
+  // Throws Error(NoDevice) where a device is asked for that cannot do it.
+  void chooseCaster(const std::shared_ptr<Device>& device, const Context& context)
+  {
+    this->Caster = device ? makeOpenCLCaster(this->Scene, device, context) : makeEmbreeCaster(this->Scene);
+  }
+  bool onHost() const { return this->Caster->onHost(); }
+  int rayCount() const { return static_cast<int>(this->Cone.size()); }
+  bool hasRays(int vertex) const { return this->Normals[vertex].squaredNorm() > 0.0; }
+  // The vertices so that rays traced together visit the same nodes.
+  const std::vector<int>& order() const { return this->Scene.order; }
+
+  // Traces and summarises some vertices that have rays.
+  void measure(const int* vertices,
+    int count,
+    const Context& context,
+    std::vector<State>& states,
+    ShapeDiameter& result,
+    std::vector<ConeHit>* allHits) const
+  {
+    const std::size_t rays = this->Cone.size();
+    RayBatch batch;
+    batch.raysPerVertex = this->rayCount();
+    batch.vertices.assign(vertices, vertices + count);
+    batch.directions.resize(count * rays);
+    context.each(count,
+      [&](int i)
+      {
+        const Eigen::Matrix3d frame = this->frameOf(vertices[i]);
+        for (std::size_t k = 0; k < rays; ++k)
+        {
+          const Eigen::Vector3f d = (frame * this->Cone[k]).cast<float>();
+          batch.directions[i * rays + k] = { d[0], d[1], d[2] };
+        }
+      });
+    std::vector<RayHit> hits;
+    this->Caster->cast(batch, hits, context);
+    if (context.cancelled())
+    {
+      return;
+    }
+    context.parallelFor(count,
+      [&](int begin, int end)
+      {
+        std::vector<ConeHit> lengths(rays);
+        for (int i = begin; i < end; ++i)
+        {
+          // The next one's facets are on their way meanwhile.
+          const std::size_t next = std::min(i + 1, end - 1) * rays;
+          for (std::size_t ray = next; ray < next + rays; ++ray)
+          {
+            prefetch(&this->Scene.facets[std::max(hits[ray].triangle, 0)]);
+          }
+          const int v = vertices[i];
+          const Vector3 origin = this->Scene.frame.inScene(this->Model.points[v]);
+          const Eigen::Matrix3d frame = this->frameOf(v);
+          for (std::size_t k = 0; k < rays; ++k)
+          {
+            const RayHit& hit = hits[i * rays + k];
+            lengths[k] = ConeHit();
+            if (hit.triangle >= 0)
+            {
+              lengths[k] = { refine(this->Scene, hit, origin, frame * this->Cone[k]), hit.triangle };
+            }
+          }
+          if (allHits)
+          {
+            std::copy(
+              lengths.begin(), lengths.end(), allHits->begin() + static_cast<std::ptrdiff_t>(v * rays));
+          }
+          const double diameter = summarise(lengths.data(), this->Weights);
+          result.measured[v] = diameter >= 0.0;
+          result.diameter[v] = std::max(0.0, diameter);
+          states[v] = diameter >= 0.0 ? State::Known : State::Unmeasured;
+        }
+      });
+  }
+
+private:
+  Eigen::Matrix3d frameOf(int vertex) const
+  {
+    return frameAround(-this->Normals[vertex], this->Sides[vertex]);
+  }
+
+  RayScene Scene;
+  std::vector<Vector3> Sides;
+  std::unique_ptr<RayCaster> Caster;
+  const Mesh& Model;
+  const std::vector<Vector3>& Normals;
+  std::vector<Vector3> Cone;
+  std::vector<double> Weights;
+};
+
+Diameters::Diameters(const Mesh& mesh,
+  const Adjacency& adjacency,
+  const std::vector<Vector3>& normals,
+  const ShapeDiameterOptions& options,
+  const Context& context)
+  : Model(mesh)
+  , Neighbours(adjacency)
+{
+  this->Values.diameter.resize(mesh.points.size(), 0.0);
+  this->Values.measured.resize(mesh.points.size(), 0);
+  const std::shared_ptr<Device> device = Device::choose(options.backend, this->Values.warning);
+  if (!mesh.triangles.empty())
+  {
+    this->Rays = std::make_unique<Cones>(mesh, adjacency, normals, options, context);
+  }
+  this->start();
+  if (!this->Rays)
+  {
+    return;
+  }
+  try
+  {
+    this->Rays->chooseCaster(device, context);
+    this->Values.used = device ? Backend::OpenCL : Backend::Host;
+  }
+  catch (const Error& error)
+  {
+    this->goOnWithoutDevice(error);
+  }
+}
+
+Diameters::~Diameters() = default;
+
+void Diameters::start()
+{
+  this->States.assign(this->Model.points.size(), State::Unmeasured);
+  for (int v = 0; this->Rays && v < this->Model.vertexCount(); ++v)
+  {
+    this->States[v] = this->Rays->hasRays(v) ? State::Untried : State::Unmeasured;
+  }
+}
+
+void Diameters::goOnWithoutDevice(const Error& error)
+{
+  if (error.failure() != Failure::NoDevice)
+  {
+    throw;
+  }
+  this->Values.warning = { "%1 The host computes instead.", error.message() };
+  this->Values.used = Backend::Host;
+  this->Rays->chooseCaster(nullptr, {});
+}
+
+void Diameters::require(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits)
+{
+  std::vector<int> wanted;
+  std::vector<char> isWanted(this->Model.points.size(), 0);
+  for (const int v : vertices)
+  {
+    if (!this->knows(v) && !isWanted[v])
+    {
+      isWanted[v] = 1;
+      wanted.push_back(v);
+    }
+  }
+  if (wanted.empty())
+  {
+    return;
+  }
+  try
+  {
+    this->compute(wanted, context, hits);
+  }
+  catch (const Error& error)
+  {
+    this->goOnWithoutDevice(error);
+    // The host's values may differ in their last bits, so that those that are known are made anew.
+    for (int v = 0; v < this->Model.vertexCount(); ++v)
+    {
+      if (this->knows(v))
+      {
+        wanted.push_back(v);
+      }
+    }
+    this->start();
+    this->compute(wanted, context, hits);
+  }
+}
+
+void Diameters::requireAll(const Context& context, std::vector<ConeHit>* hits)
+{
+  if (this->Rays)
+  {
+    this->require(this->Rays->order(), context, hits);
+  }
+  else
+  {
+    std::vector<int> all(this->Model.points.size());
+    std::iota(all.begin(), all.end(), 0);
+    this->require(all, context, hits);
+  }
+}
+
+void Diameters::compute(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits)
+{
+  this->measure(vertices, context, hits);
+  std::vector<int> unmeasured;
+  std::copy_if(vertices.begin(),
+    vertices.end(),
+    std::back_inserter(unmeasured),
+    [this](int v) { return this->States[v] == State::Unmeasured; });
+  this->fill(unmeasured, context, hits);
+}
+
+void Diameters::measure(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits)
+{
+  std::vector<int> untried;
+  std::copy_if(vertices.begin(),
+    vertices.end(),
+    std::back_inserter(untried),
+    [this](int v) { return this->States[v] == State::Untried; });
+  if (untried.empty())
+  {
+    return;
+  }
+  const int total = static_cast<int>(untried.size());
+  const int blockSize = std::max(1, raysPerBlock / this->Rays->rayCount());
+  for (int first = 0; first < total; first += blockSize)
+  {
+    context.checkpoint(static_cast<double>(first) / total);
+    const int count = std::min(blockSize, total - first);
+    const auto part = [&](int start, int size, const Context& caller)
+    { this->Rays->measure(untried.data() + first + start, size, caller, this->States, this->Values, hits); };
+    if (this->Rays->onHost())
+    {
+      // Each part from its rays to its values at once, while they are in the cache.
+      context.eachUntilCancelled((count + verticesPerPart - 1) / verticesPerPart,
+        [&](int i)
+        {
+          const int start = i * verticesPerPart;
+          part(start, std::min(verticesPerPart, count - start), Context());
+        });
+    }
+    else
+    {
+      part(0, count, context);
+    }
+    context.checkpoint(static_cast<double>(first + count) / total);
+    this->Values.raysCast += static_cast<long long>(count) * this->Rays->rayCount();
+  }
+}
+
+// Values for vertices that no ray measured, and for all others of the patches without that they lie in.
+void Diameters::fill(const std::vector<int>& unmeasured, const Context& context, std::vector<ConeHit>* hits)
+{
+  if (unmeasured.empty())
+  {
+    return;
+  }
+  std::vector<int> open = unmeasured, ring = unmeasured, beside;
+  std::vector<char> isOpen(this->Model.points.size(), 0);
+  for (const int v : open)
+  {
+    isOpen[v] = 1;
+  }
+  while (!ring.empty())
+  {
+    beside.clear();
+    for (const int v : ring)
+    {
+      const auto neighbours = this->Neighbours.vertexVertices[v];
+      beside.insert(beside.end(), neighbours.begin(), neighbours.end());
+    }
+    sortUnique(beside);
+    this->measure(beside, context, hits);
+    ring.clear();
+    for (const int v : beside)
+    {
+      if (!this->knows(v) && !isOpen[v])
+      {
+        isOpen[v] = 1;
+        ring.push_back(v);
+        open.push_back(v);
+      }
+    }
+  }
+  std::vector<double>& diameter = this->Values.diameter;
+  std::vector<int> rest, filled;
+  while (!open.empty())
+  {
+    rest.clear();
+    filled.clear();
+    for (const int v : open)
+    {
+      double neighbours = 0.0;
+      int count = 0;
+      for (const int n : this->Neighbours.vertexVertices[v])
+      {
+        if (!isOpen[n])
+        {
+          neighbours += diameter[n];
+          ++count;
+        }
+      }
+      if (count > 0)
+      {
+        diameter[v] = neighbours / count;
+        filled.push_back(v);
+      }
+      else
+      {
+        rest.push_back(v);
+      }
+    }
+    if (filled.empty())
+    {
+      break;
+    }
+    // Only now: a ring is filled from the ring before, whatever the order of its vertices.
+    for (const int v : filled)
+    {
+      isOpen[v] = 0;
+      this->States[v] = State::Known;
+    }
+    open.swap(rest);
+  }
+  if (open.empty())
+  {
+    return;
+  }
+  // Pieces without any.
+  if (this->Rays)
+  {
+    this->measure(this->Rays->order(), context, hits);
+  }
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (int v = 0; v < this->Model.vertexCount(); ++v)
+  {
+    sum += this->Values.measured[v] ? diameter[v] : 0.0;
+    count += this->Values.measured[v] != 0;
+  }
+  const double fallback = count > 0 ? sum / static_cast<double>(count) : boundingDiagonal(this->Model);
+  for (const int v : open)
+  {
+    diameter[v] = fallback;
+    this->States[v] = State::Known;
+  }
+}
+
 ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
   const ShapeDiameterOptions& options,
   const Context& context,
-  std::vector<ConeHit>* hits,
-  KnownDiameters* known)
+  std::vector<ConeHit>* hits)
 {
-  ShapeDiameter result;
-  ConeMeasures measures;
-  const std::shared_ptr<Device> device = Device::choose(options.backend, result.warning);
-  const RayScene scene(mesh, context);
-  std::vector<Vector3> sides = options.turnCones
-                                 ? coneSides(mesh, scene, adjacency.vertexTriangles, normals, context)
-                                 : std::vector<Vector3>(mesh.points.size(), Vector3::Zero());
-  const auto measure = [&](Backend used, const MakeCaster& makeCaster)
+  if (hits)
   {
-    measures = { std::vector<double>(mesh.points.size(), 0.0),
-      std::vector<char>(mesh.points.size(), 0),
-      std::vector<float>(mesh.points.size(), 0.0f),
-      std::vector<std::uint8_t>(mesh.points.size() * static_cast<std::size_t>(options.rayCount), 0) };
-    TakenOver taken{ std::vector<char>(mesh.points.size(), 0), {}, {} };
-    if (hits)
-    {
-      hits->assign(mesh.points.size() * static_cast<std::size_t>(options.rayCount), ConeHit());
-    }
-    else if (known && known->filled && known->used == used && known->options == options &&
-             RayFrame(*known->mesh) == scene.frame)
-    {
-      taken = takeOver(*known, mesh, scene, normals, sides, makeCaster, context, measures);
-    }
-    VertexRays cones(mesh, scene, normals, sides, options, taken);
-    if (cones.vertexCount() > 0)
-    {
-      const std::unique_ptr<RayCaster> caster = makeCaster(scene);
-      if (caster->onHost())
-      {
-        cones.findStarts(context);
-      }
-      traceAndSummarise(cones, *caster, context, measures, hits);
-    }
-    result.used = used;
-    result.raysCast = static_cast<long long>(cones.vertexCount()) * options.rayCount;
-    result.raysTraced =
-      result.raysCast +
-      static_cast<long long>(std::count(taken.kept.begin(), taken.kept.end(), 1)) * options.rayCount;
-  };
-  bool done = mesh.triangles.empty();
-  if (device && !done)
-  {
-    try
-    {
-      measure(Backend::OpenCL, [&](const RayScene& rays) { return makeOpenCLCaster(rays, device, context); });
-      done = true;
-    }
-    catch (const Error& error)
-    {
-      if (error.failure() != Failure::NoDevice)
-      {
-        throw;
-      }
-      result.warning = { "%1 The host computes instead.", error.message() };
-    }
+    hits->assign(mesh.points.size() * static_cast<std::size_t>(options.rayCount), ConeHit());
   }
-  if (!done)
-  {
-    measure(Backend::Host, [](const RayScene& rays) { return makeEmbreeCaster(rays); });
-  }
-  measures.diameter.resize(mesh.points.size(), 0.0);
-  measures.measured.resize(mesh.points.size(), 0);
-  result.diameter = measures.diameter;
-  result.measured = measures.measured;
-  fillUnmeasured(mesh, adjacency, result);
-  if (known)
-  {
-    known->filled = false; // if memory runs out here
-    const bool meshKept = known->nextMesh.get() == &mesh, normalsKept = known->nextNormals.get() == &normals;
-    known->mesh = meshKept ? known->nextMesh : std::make_shared<const Mesh>(mesh);
-    known->normals = normalsKept ? known->nextNormals : std::make_shared<const std::vector<Vector3>>(normals);
-    known->nextMesh = nullptr;
-    known->nextNormals = nullptr;
-    known->sides = std::move(sides);
-    known->options = options;
-    known->used = result.used;
-    known->measures = std::move(measures);
-    known->filled = !mesh.triangles.empty();
-  }
-  return result;
+  Diameters diameters(mesh, adjacency, normals, options, context);
+  diameters.requireAll(context, hits);
+  return diameters.result();
 }
 
 } // namespace oversketch

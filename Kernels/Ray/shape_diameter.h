@@ -36,8 +36,7 @@ struct ShapeDiameter
 {
   std::vector<double> diameter; // per vertex [model length], finite
   std::vector<char> measured;   // per vertex, 1 where a ray left through a facet
-  long long raysTraced = 0;     // rayCount per vertex that has a normal
-  long long raysCast = 0;       // those of them that KnownDiameters did not answer
+  long long raysCast = 0;       // rayCount per vertex that has a normal
   Backend used = Backend::Host;
   Message warning; // why the host stood in for the device, or empty
 };
@@ -47,34 +46,6 @@ struct ConeHit
 {
   double length = -1.0; // [model length], -1: no hit
   int triangle = -1;
-};
-
-// Per vertex what its rays say.
-struct ConeMeasures
-{
-  std::vector<double> diameter; // 0 where no ray left through a facet
-  std::vector<char> measured;
-  std::vector<float> reach; // the longest ray [unit of the scene of rays], infinite where one has no end
-  std::vector<std::uint8_t>
-    lengths; // of each ray, rounded up, as parts of the longest: see known_diameters.h
-};
-
-// Results that a computation leaves for that of the next mesh. A vertex whose point and normal stayed keeps
-// its value if its cone, as far as its rays went, meets no facet that came or went; only the others are cast
-// again. Without mesh and normals 7 bytes a triangle and half a byte a ray.
-struct KnownDiameters
-{
-  bool filled = false;
-  std::shared_ptr<const Mesh> mesh;
-  std::shared_ptr<const std::vector<Vector3>> normals;
-  std::vector<Vector3> sides; // see coneSides
-  ShapeDiameterOptions options;
-  Backend used = Backend::Host;
-  ConeMeasures measures;
-
-  // Set by who keeps the mesh that is measured next, which is then not copied.
-  std::shared_ptr<const Mesh> nextMesh;
-  std::shared_ptr<const std::vector<Vector3>> nextNormals;
 };
 
 // Directions of a cone round +z, equal in solid angle: cos phi_k = 1 - (1 - cos beta)(k + 0.5)/N, beta half
@@ -99,19 +70,66 @@ Eigen::Matrix3d frameAround(const Vector3& axis, const Vector3& side = Vector3::
 // averaged with the weights of their directions. -1 without a hit.
 double summarise(const ConeHit* hits, const std::vector<double>& weights);
 
-// Per vertex the rays of the cone round -normal; each ends where it first leaves through a facet that does
-// not touch the vertex. Vertices without such a ray get the mean of their measured neighbours, ring by ring;
-// pieces without any measured vertex the mean of all measured ones; a mesh without any its bounding-box
-// diagonal. Where `known` is given, what it holds of another mesh spares rays, and it then holds this mesh:
-// the result is the same, bit for bit. Where `hits` is given it receives the rays of vertex v at v *
-// rayCount, and all are cast. Throws Error(Cancelled); `known` then stays as it is.
+// The shape diameter where it is asked for. Per vertex the rays of the cone round -normal; each ends where it
+// first leaves through a facet that does not touch the vertex. Vertices without such a ray get the mean of
+// their measured neighbours, ring by ring; pieces without any measured vertex the mean of all measured ones;
+// a mesh without any its bounding-box diagonal. A value is the same, bit for bit, whatever was asked for
+// before.
+class Diameters
+{
+public:
+  // Makes what rays need. The first three must outlive it.
+  Diameters(const Mesh& mesh,
+    const Adjacency& adjacency,
+    const std::vector<Vector3>& normals,
+    const ShapeDiameterOptions& options,
+    const Context& context);
+  ~Diameters();
+  Diameters(const Diameters&) = delete;
+  void operator=(const Diameters&) = delete;
+
+  // Makes the values of these vertices known. Where `hits` is given, of mesh.points.size() * rayCount, it
+  // receives the rays of vertex v at v * rayCount, of vertices that were not known. Throws Error(Cancelled);
+  // what is known by then stays.
+  void require(const std::vector<int>& vertices,
+    const Context& context,
+    std::vector<ConeHit>* hits = nullptr);
+  void requireAll(const Context& context, std::vector<ConeHit>* hits = nullptr);
+
+  bool knows(int vertex) const { return this->States[vertex] == State::Known; }
+  const std::vector<double>& values() const { return this->Values.diameter; } // 0 where not known
+  // The values with how they came about.
+  const ShapeDiameter& result() const { return this->Values; }
+
+private:
+  enum class State : char
+  {
+    Untried,
+    Unmeasured, // none of its rays left through a facet, or it has none
+    Known
+  };
+  class Cones;
+
+  void start();
+  void goOnWithoutDevice(const Error& error); // throws it where it is another one
+  void compute(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits);
+  void measure(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits);
+  void fill(const std::vector<int>& unmeasured, const Context& context, std::vector<ConeHit>* hits);
+
+  const Mesh& Model;
+  const Adjacency& Neighbours;
+  std::unique_ptr<Cones> Rays; // none where the mesh has no triangles
+  std::vector<State> States;   // by vertex
+  ShapeDiameter Values;
+};
+
+// All of them.
 ShapeDiameter computeShapeDiameter(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,
   const ShapeDiameterOptions& options,
   const Context& context,
-  std::vector<ConeHit>* hits = nullptr,
-  KnownDiameters* known = nullptr);
+  std::vector<ConeHit>* hits = nullptr);
 
 } // namespace oversketch
 #endif

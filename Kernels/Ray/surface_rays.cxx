@@ -28,7 +28,7 @@ struct SceneFacets
     , frame(*this->mesh)
   {
   }
-  Vector3 inScene(const Vector3& point) const { return (point - this->frame.centre) / this->frame.scale; }
+  Vector3 inScene(const Vector3& point) const { return this->frame.inScene(point); }
   Vector3 corner(int triangle, int k) const
   {
     return this->inScene(this->mesh->points[this->mesh->triangles[triangle][k]]);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -244,6 +245,101 @@ private:
   int Crowded = 0;       // parts with several of those
 };
 
+// How many vertices are asked for at a time, where they are not known: enough for all threads.
+constexpr std::size_t askedAhead = 2048;
+
+// Growing from the seeds; see detectRegion.
+class Growth
+{
+public:
+  // Where `allowed` is not empty, vertices with 0 there are never selected (but seeds are).
+  Growth(const Adjacency& adjacency, const RegionEvidence& evidence, const std::vector<char>& allowed)
+    : Neighbours(adjacency.vertexVertices)
+    , Evidence(evidence)
+    , Allowed(allowed)
+    , Region(evidence.ratio.size(), 0)
+    , Queued(evidence.ratio.size(), 0)
+  {
+    for (const int seed : evidence.seeds)
+    {
+      this->Region[seed] = 1;
+    }
+    for (const int seed : evidence.seeds)
+    {
+      this->queueNeighbours(seed);
+    }
+  }
+
+  // The region, or a part of it of more than this area.
+  std::vector<char> run(double lambda, const std::vector<double>& areas, double mostArea)
+  {
+    double area = 0.0;
+    while (!this->Queue.empty() && area <= mostArea)
+    {
+      const int v = this->Queue.front();
+      if (std::isnan(this->Evidence.ratio[v]))
+      {
+        this->ask();
+      }
+      this->Queue.pop_front();
+      this->Queued[v] = 0;
+      int selected = 0;
+      for (const int n : this->Neighbours[v])
+      {
+        selected += this->Region[n];
+      }
+      const int unselected = this->Neighbours.size(v) - selected;
+      if (this->Evidence.ratio[v] > lambda * (unselected - selected))
+      {
+        this->Region[v] = 1;
+        area += areas[v];
+        this->queueNeighbours(v);
+      }
+    }
+    return std::move(this->Region);
+  }
+
+private:
+  bool mayJoin(int v) const { return !this->Region[v] && (this->Allowed.empty() || this->Allowed[v]); }
+
+  void queueNeighbours(int v)
+  {
+    for (const int n : this->Neighbours[v])
+    {
+      if (this->mayJoin(n) && !this->Queued[n])
+      {
+        this->Queued[n] = 1;
+        this->Queue.push_back(n);
+      }
+    }
+  }
+
+  // Asks for what is waiting and some rings round it.
+  void ask()
+  {
+    std::vector<int> wanted(this->Queue.begin(), this->Queue.end());
+    std::vector<char> isWanted = this->Queued;
+    for (std::size_t i = 0; i < wanted.size() && wanted.size() < askedAhead; ++i)
+    {
+      for (const int n : this->Neighbours[wanted[i]])
+      {
+        if (this->mayJoin(n) && !isWanted[n] && std::isnan(this->Evidence.ratio[n]))
+        {
+          isWanted[n] = 1;
+          wanted.push_back(n);
+        }
+      }
+    }
+    this->Evidence.require(wanted);
+  }
+
+  const Lists& Neighbours;
+  const RegionEvidence& Evidence;
+  const std::vector<char>& Allowed;
+  std::vector<char> Region, Queued;
+  std::deque<int> Queue;
+};
+
 } // namespace
 
 std::vector<double> vertexAreas(const Mesh& mesh)
@@ -258,54 +354,6 @@ std::vector<double> vertexAreas(const Mesh& mesh)
     }
   }
   return areas;
-}
-
-std::vector<char> growRegion(const Adjacency& adjacency,
-  const std::vector<int>& seeds,
-  const std::vector<double>& ratio,
-  double lambda,
-  const std::vector<char>& allowed)
-{
-  std::vector<char> region(ratio.size(), 0);
-  std::deque<int> queue;
-  std::vector<char> queued(ratio.size(), 0);
-  const auto queueNeighbours = [&](int v)
-  {
-    for (const int n : adjacency.vertexVertices[v])
-    {
-      if (!region[n] && !queued[n] && (allowed.empty() || allowed[n]))
-      {
-        queued[n] = 1;
-        queue.push_back(n);
-      }
-    }
-  };
-  for (int seed : seeds)
-  {
-    region[seed] = 1;
-  }
-  for (int seed : seeds)
-  {
-    queueNeighbours(seed);
-  }
-  while (!queue.empty())
-  {
-    const int v = queue.front();
-    queue.pop_front();
-    queued[v] = 0;
-    int selected = 0;
-    for (const int n : adjacency.vertexVertices[v])
-    {
-      selected += region[n];
-    }
-    const int unselected = adjacency.vertexVertices.size(v) - selected;
-    if (ratio[v] > lambda * (unselected - selected))
-    {
-      region[v] = 1;
-      queueNeighbours(v);
-    }
-  }
-  return region;
 }
 
 MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context& context)
@@ -471,18 +519,25 @@ std::vector<char> detectRegion(const Mesh& mesh,
     return selected > share * all;
   };
   const auto runsAway = [&](const std::vector<char>& region) { return exceeds(region, 0.5); };
-  const auto grow = [&](const std::vector<char>& allowed)
+  const auto grow = [&](const std::vector<char>& allowed, double mostArea)
+  { return Growth(adjacency, evidence, allowed).run(options.lambda, parts.areas, mostArea); };
+  const auto fill = [&](std::vector<char>& region)
   {
-    std::vector<char> region = growRegion(adjacency, evidence.seeds, evidence.ratio, options.lambda, allowed);
     if (options.fillIslands)
     {
       fillIslands(parts, adjacency, region);
     }
-    return region;
   };
 
   context.checkpoint(0.0);
-  std::vector<char> region = grow({});
+  evidence.require(evidence.seeds);
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
+  // Sums may be rounded in another order.
+  std::vector<char> region = grow({}, options.limitRunaway ? 0.500001 * all : unlimited);
+  if (!options.limitRunaway || !runsAway(region))
+  {
+    fill(region);
+  }
   if (options.limitRunaway && runsAway(region))
   {
     const std::vector<double> distance =
@@ -490,21 +545,20 @@ std::vector<char> detectRegion(const Mesh& mesh,
     std::vector<char> allowed(mesh.points.size());
     std::transform(
       distance.begin(), distance.end(), allowed.begin(), [](double d) { return char(std::isfinite(d)); });
-    region = grow(allowed);
+    region = grow(allowed, unlimited);
+    fill(region);
   }
   context.checkpoint(0.5);
   if (options.cutAtJunction)
   {
     region = cutBridges(mesh, adjacency, parts, evidence.diameter, isSeed, region);
     region = cutAtFork(mesh, adjacency, parts, evidence.seeds, region);
+    evidence.require(borderOf(adjacency, region, true));
     Context half = context;
     half.progress = [&context](double done) { context.progress(0.5 + 0.5 * done); };
     std::vector<char> moved =
       cutAtJunction(mesh, adjacency, normals, parts, evidence.diameter, isSeed, region, {}, half);
-    if (options.fillIslands)
-    {
-      fillIslands(parts, adjacency, moved);
-    }
+    fill(moved);
     if (!runsAway(moved))
     {
       region = std::move(moved);
@@ -514,10 +568,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
   if (options.reachEnds)
   {
     std::vector<char> reached = reachEnds(mesh, adjacency, evidence.ends, evidence.endLength, region);
-    if (options.fillIslands)
-    {
-      fillIslands(parts, adjacency, reached);
-    }
+    fill(reached);
     if (!runsAway(reached))
     {
       region = std::move(reached);
@@ -531,10 +582,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
   if (options.shift != 0.0)
   {
     region = shiftBorder(mesh, adjacency, isSeed, options.shift, region);
-    if (options.fillIslands)
-    {
-      fillIslands(parts, adjacency, region);
-    }
+    fill(region);
     dropSeedless(adjacency, isSeed, region);
   }
   for (std::size_t v = 0; v < region.size(); ++v)

@@ -6,6 +6,7 @@
 #include "Mesh/mesh.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace oversketch
@@ -23,17 +24,6 @@ struct MeshParts
   std::vector<double> partAreas;
 };
 MeshParts findParts(const Mesh& mesh, const Adjacency& adjacency, const Context& context = Context());
-
-// Grows from the seeds over unselected neighbours. ratio(v) = ln p_fg(x_v) - ln p_whole(x_v); with E^c(v,
-// label) = -ln p_label(x_v) and E^s(v, label) the number of v's neighbours with the other label, a vertex is
-// selected when ratio(v) > lambda (b - f), b and f its unselected and selected neighbours. First come, first
-// served, from the seeds in the order given, neighbours by id; additions only, so it ends. Where `allowed` is
-// not empty, vertices with 0 there are never selected (but seeds are).
-std::vector<char> growRegion(const Adjacency& adjacency,
-  const std::vector<int>& seeds,
-  const std::vector<double>& ratio,
-  double lambda,
-  const std::vector<char>& allowed = {});
 
 // Selects every connected piece of the unselected rest of a mesh component but the one of the largest area.
 void fillIslands(const MeshParts& parts, const Adjacency& adjacency, std::vector<char>& region);
@@ -64,23 +54,29 @@ struct RegionOptions
 struct RegionEvidence
 {
   std::vector<int> seeds;       // ascending
-  std::vector<double> ratio;    // ln p_fg - ln p_whole per vertex
-  std::vector<double> diameter; // per vertex [model length]
+  std::vector<double> ratio;    // ln p_fg - ln p_whole per vertex; NaN where it is not known yet
+  std::vector<double> diameter; // per vertex [model length]; read where ratio is known
   double sectionLength = 0.0;   // [model length]; read by limitRunaway alone
   // Vertices of the section beyond the seeds at either end, as far as they are to move; and how far off the
   // region they may lie, along edges [model length]. Read by reachEnds alone.
   std::array<std::vector<int>, 2> ends;
   double endLength = 0.0;
+  // Makes ratio and diameter known at some vertices. Called where they are about to be read.
+  std::function<void(const std::vector<int>&)> require = [](const std::vector<int>&) {};
 };
 
-// Growing and its amendments, in this order: grow; fill islands; where the region then exceeds half of the
-// area of the connected parts it lies in, grow again within an edge path of one section length of the seeds,
-// and fill islands again; cut off what hangs on narrow bridges (see cutBridges) and what lies beyond a fork
-// (see cutAtFork), and cut at the junction (see cutAtJunction), unless that exceeds the half; drop pieces
-// without a seed; extend the rest towards the section's ends (see reachEnds), unless that exceeds the half;
-// where the seeds' median diameter is over 1.25 times `near`, so that the section is of a body and not of a
-// limb, leave what is within `near` of a seed; shift the border (see shiftBorder). Throws Error(BadRegion)
-// without seeds and when a part is selected wholly, for nothing would be left to hold it.
+// Growing and its amendments. With ratio(v) = ln p_fg(x_v) - ln p_whole(x_v), E^c(v, label) = -ln
+// p_label(x_v) and E^s(v, label) the number of v's neighbours with the other label, a vertex is selected when
+// ratio(v) > lambda (b - f), b and f its unselected and selected neighbours. First come, first served, from
+// the seeds in their order, neighbours by id; additions only, so it ends. In this order: grow; fill islands;
+// where the region then exceeds half of the area of the connected parts it lies in, grow again within an edge
+// path of one section length of the seeds, and fill islands again; cut off what hangs on narrow bridges (see
+// cutBridges) and what lies beyond a fork (see cutAtFork), and cut at the junction (see cutAtJunction),
+// unless that exceeds the half; drop pieces without a seed; extend the rest towards the section's ends (see
+// reachEnds), unless that exceeds the half; where the seeds' median diameter is over 1.25 times `near`, so
+// that the section is of a body and not of a limb, leave what is within `near` of a seed; shift the border
+// (see shiftBorder). Throws Error(BadRegion) without seeds and when a part is selected wholly, for nothing
+// would be left to hold it.
 std::vector<char> detectRegion(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<Vector3>& normals,

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include <algorithm>
 #include <cmath>
 
@@ -293,6 +295,46 @@ TEST(Runaway, ARegionOfMoreThanHalfIsGrownAgainNearTheSection)
   EXPECT_GT(2 * std::count(published.begin(), published.end(), 1), mesh.vertexCount());
   std::fill(evidence.ratio.begin(), evidence.ratio.end(), 5.0);
   EXPECT_THROW(detectRegion(mesh, adjacency, normals, parts, evidence, options), Error);
+}
+
+TEST(Region, EvidenceIsAskedForWhereGrowingReadsIt)
+{
+  const Mesh mesh = icosphere(6);
+  const Adjacency adjacency = buildAdjacency(mesh);
+  const std::vector<Vector3> normals = vertexNormals(mesh);
+  const MeshParts parts = findParts(mesh, adjacency);
+  for (const double height : { 0.8, -0.6 }) // a cap, and more than half of the ball
+  {
+    RegionEvidence all;
+    for (int v = 0; v < mesh.vertexCount(); ++v)
+    {
+      if (mesh.points[v][2] > 0.99)
+      {
+        all.seeds.push_back(v);
+      }
+      all.ratio.push_back(mesh.points[v][2] > height ? 1.0 : -5.0);
+    }
+    all.diameter.assign(mesh.points.size(), 1.8);
+    all.sectionLength = 0.5;
+    RegionEvidence some = all;
+    some.ratio.assign(mesh.points.size(), std::numeric_limits<double>::quiet_NaN());
+    some.diameter.assign(mesh.points.size(), 0.0);
+    std::vector<char> asked(mesh.points.size(), 0);
+    some.require = [&](const std::vector<int>& vertices)
+    {
+      for (const int v : vertices)
+      {
+        asked[v] = 1;
+        some.ratio[v] = all.ratio[v];
+        some.diameter[v] = all.diameter[v];
+      }
+    };
+    EXPECT_EQ(detectRegion(mesh, adjacency, normals, parts, some, RegionOptions()),
+      detectRegion(mesh, adjacency, normals, parts, all, RegionOptions()));
+    // The cap is a tenth; of the ball growing goes no further than half.
+    EXPECT_LT(std::count(asked.begin(), asked.end(), 1),
+      (height > 0.0 ? 0.2 : 0.6) * static_cast<double>(asked.size()));
+  }
 }
 
 // Islands of many sizes on bodies of one part and of two: what is filled is what a walk over all of the rest

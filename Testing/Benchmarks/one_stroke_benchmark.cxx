@@ -53,14 +53,6 @@ struct Session
     }
     this->next->SetRemesh(remesh);
     this->next->SetStrokeData(earStroke(this->made[0], -15.0));
-    vtkNew<vtkOversketchShapeDiameter> diameter;
-    for (const auto& result : this->made)
-    {
-      diameter->SetInputData(result);
-      diameter->Update();
-    }
-    this->newRays =
-      static_cast<double>(diameter->GetNewRayCount()) / static_cast<double>(diameter->GetTracedRayCount());
   }
 
   static void update(vtkOversketchOneStroke* system)
@@ -76,7 +68,6 @@ struct Session
   vtkSmartPointer<vtkPolyData> mesh;
   std::array<vtkSmartPointer<vtkPolyData>, 2> strokes, made;
   vtkSmartPointer<vtkOversketchOneStroke> first, next;
-  double newRays = 1.0;             // the part of the rays that the second mesh needs after the first
   int nextStroke = 0, nextMesh = 0; // whose turn it is
 };
 
@@ -97,6 +88,9 @@ void session(const std::string& size, const std::string& kind, int remesh)
     {
       figures[std::string(name) + "_ms"] = 1000.0 * system->GetStageTime(name);
     }
+    auto* diameter = vtkOversketchShapeDiameter::SafeDownCast(system->GetStep("ShapeDiameter"));
+    figures["rays_a_point"] = static_cast<double>(diameter->GetTracedRayCount()) /
+                              static_cast<double>(system->GetOutput()->GetNumberOfPoints());
     figures["triangles"] = static_cast<double>(system->GetOutput()->GetNumberOfPolys());
     vtkPolyData* found = system->GetInnerOutput("RegionBorder");
     figures["region_points"] = pointsOf(found);
@@ -126,12 +120,7 @@ void session(const std::string& size, const std::string& kind, int remesh)
     state->next->SetInputData(0, state->made[++state->nextMesh % 2]);
   };
   job.run = [state] { Session::update(state->next); };
-  job.figures = [=]
-  {
-    auto figures = stages(state->next);
-    figures["new_rays"] = state->newRays;
-    return figures;
-  };
+  job.figures = [=] { return stages(state->next); };
   add(job);
 }
 

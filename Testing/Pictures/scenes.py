@@ -142,6 +142,8 @@ def silhouette_scene(system, stroke):
 
 
 def thickness_scene(system, stroke):
+    system.GetStep("ShapeDiameter").OnDemandOff()  # a stroke asks for a part of it
+    system.Update()
     mesh = system.GetInnerOutput("ShapeDiameter")
     values = vtk_to_numpy(mesh.GetPointData().GetArray("ShapeDiameter"))
     low, high = np.percentile(values, [2, 98])

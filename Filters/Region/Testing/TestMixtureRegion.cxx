@@ -1,6 +1,7 @@
 #include "Harness/data.h"
 #include "Harness/promises.h"
 #include "LimbedBodies.h"
+#include "Region/border.h"
 #include "Region/grow.h"
 #include "vtkOversketchMixtureRegion.h"
 #include "vtkOversketchRegionBorder.h"
@@ -263,6 +264,47 @@ TEST(MixtureRegion, RegionIsTheStrokedLimbOfTheCapsuleFigure)
   EXPECT_EQ(p.region->GetWholeFitCount(), 1);
   EXPECT_EQ(p.diameter->GetRayCastCount(), 1);
   std::cout << "least overlap of 13 strokes: " << worst << std::endl;
+}
+
+TEST(MixtureRegion, ThicknessOnDemandGivesTheSameRegion)
+{
+  for (const int limbs : { 1, 4 })
+  {
+    const Mesh mesh = surfaceOf(body(limbs), 0.03);
+    Pipeline whole(mesh), some(mesh);
+    some.diameter->OnDemandOn();
+    // Short and long ones over the limb, and one over the body.
+    for (const auto& [at, half] :
+      { std::pair(Vector3(1.65, 0, 0), 0.2), { Vector3(1.65, 0, 0), 0.7 }, { Vector3(0, 0, 0.6), 0.5 } })
+    {
+      const auto handles = handlesAt(mesh, front, up, at, half);
+      for (Pipeline* p : { &whole, &some })
+      {
+        p->region->SetHandlesData(handles);
+        p->border->Update();
+      }
+      vtkPointData* of = whole.border->GetOutput()->GetPointData();
+      vtkPointData* found = some.border->GetOutput()->GetPointData();
+      const std::vector<char> region = flagsOf(some.border->GetOutput(), "Region");
+      EXPECT_EQ(region, flagsOf(whole.border->GetOutput(), "Region"));
+      EXPECT_TRUE(identical(found->GetArray("RegionSeed"), of->GetArray("RegionSeed")));
+      const std::vector<char> known = flagsOf(some.border->GetOutput(), "ShapeDiameterKnown");
+      const std::vector<char> asked =
+        oversketch::withinRings(oversketch::buildAdjacency(mesh), oversketch::marked(region), 2);
+      for (int v = 0; v < mesh.vertexCount(); ++v)
+      {
+        ASSERT_LE(asked[v], known[v]) << v;
+        for (const char* name : { "ShapeDiameter", "RegionProbability" })
+        {
+          ASSERT_EQ(found->GetArray(name)->GetComponent(v, 0),
+            known[v] ? of->GetArray(name)->GetComponent(v, 0) : 0.0)
+            << name << " " << v;
+        }
+      }
+    }
+    EXPECT_LT(some.diameter->GetTracedRayCount(), whole.diameter->GetTracedRayCount());
+    EXPECT_EQ(some.diameter->GetRayCastCount(), 1);
+  }
 }
 
 TEST(MixtureRegion, OnlyWhatChangedIsDoneAgain)
