@@ -77,7 +77,7 @@ Context threaded()
   return context;
 }
 
-ShapeDiameterOptions on(Backend backend)
+ShapeDiameterOptions castOn(Backend backend)
 {
   ShapeDiameterOptions options;
   options.backend = backend;
@@ -95,7 +95,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
       SCOPED_TRACE(name);
       const Adjacency adjacency = buildAdjacency(mesh);
       const std::vector<Vector3> normals = vertexNormals(mesh);
-      const ShapeDiameter whole = computeShapeDiameter(mesh, adjacency, normals, on(backend), Context());
+      const ShapeDiameter whole = computeShapeDiameter(mesh, adjacency, normals, castOn(backend), Context());
       EXPECT_EQ(std::count(whole.diameter.begin(), whole.diameter.end(), 0.0), 0);
       std::vector<int> order(mesh.points.size());
       std::iota(order.begin(), order.end(), 0);
@@ -103,7 +103,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
       for (const int size : { 1, 7, 400 })
       {
         std::shuffle(order.begin(), order.end(), random);
-        Diameters some(mesh, adjacency, normals, on(backend), Context());
+        Diameters some(mesh, adjacency, normals, castOn(backend), Context());
         std::vector<char> asked(mesh.points.size(), 0);
         // A third of them, then all.
         for (int first = 0; first < mesh.vertexCount() / 3; first += size)
@@ -131,7 +131,7 @@ TEST(Diameters, RaysAreCastWhereTheyAreAskedForAndOnce)
   const Mesh mesh = torus(1.0, 0.4, 60, 30);
   const Adjacency adjacency = buildAdjacency(mesh);
   const std::vector<Vector3> normals = vertexNormals(mesh);
-  Diameters some(mesh, adjacency, normals, on(Backend::Host), Context());
+  Diameters some(mesh, adjacency, normals, castOn(Backend::Host), Context());
   EXPECT_EQ(some.result().raysCast, 0);
   some.require({ 3, 5, 900 }, Context());
   EXPECT_EQ(some.result().raysCast, 3 * 32);
@@ -148,7 +148,7 @@ TEST(Diameters, ACancelledRequestLeavesWhatWasKnownAndIsMadeGood)
     const Mesh mesh = icosphere(5);
     const Adjacency adjacency = buildAdjacency(mesh);
     const std::vector<Vector3> normals = vertexNormals(mesh);
-    Diameters some(mesh, adjacency, normals, on(backend), Context());
+    Diameters some(mesh, adjacency, normals, castOn(backend), Context());
     some.require({ 1, 2, 3 }, Context());
     const double known = some.values()[2];
     Context context;
@@ -158,6 +158,6 @@ TEST(Diameters, ACancelledRequestLeavesWhatWasKnownAndIsMadeGood)
     EXPECT_THROW(some.requireAll(context), Error);
     EXPECT_EQ(some.values()[2], known);
     some.requireAll(Context());
-    EXPECT_EQ(some.values(), computeShapeDiameter(mesh, adjacency, normals, on(backend), Context()).diameter);
+    EXPECT_EQ(some.values(), computeShapeDiameter(mesh, adjacency, normals, castOn(backend), Context()).diameter);
   }
 }

@@ -68,7 +68,7 @@ void ours(const std::string& name, const std::string& size, Backend backend)
       computeShapeDiameter(model(size).mesh, state->adjacency, state->normals, options, threaded());
     if (state->result.used != backend)
     {
-      throw std::runtime_error(state->result.warning);
+      throw std::runtime_error(state->result.warning.text());
     }
   };
   job.figures = [=]
