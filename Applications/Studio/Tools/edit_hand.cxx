@@ -228,12 +228,19 @@ void EditHand::setMesh(vtkPolyData* mesh)
   }
 }
 
+std::array<vtkOversketchStrokeWidget*, 3> EditHand::pens() const
+{
+  return { this->Widget->GetRegionWidget()->GetPen(),
+    this->Widget->GetAreaSelectWidget()->GetPen(),
+    this->Widget->GetProfilePlaneWidget()->GetPen() };
+}
+
 bool EditHand::draws() const
 {
-  return this->Widget->GetRegionWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetAreaSelectWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetDiscAreaWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetProfilePlaneWidget()->GetPen()->IsDrawing();
+  const auto pens = this->pens();
+  return this->Widget->GetDiscAreaWidget()->GetPen()->IsDrawing() ||
+         std::any_of(
+           pens.begin(), pens.end(), [](vtkOversketchStrokeWidget* pen) { return pen->IsDrawing(); });
 }
 
 bool EditHand::moves() const
@@ -265,17 +272,18 @@ void EditHand::setPixelRatio(double ratio)
 
 void EditHand::setSteadiness(double pixels)
 {
-  const double steady = pixels * this->View->devicePixelRatioF();
-  this->Widget->GetRegionWidget()->GetPen()->SetStabilizer(steady);
-  this->Widget->GetAreaSelectWidget()->GetPen()->SetStabilizer(steady);
-  this->Widget->GetProfilePlaneWidget()->GetPen()->SetStabilizer(steady);
+  for (vtkOversketchStrokeWidget* pen : this->pens())
+  {
+    pen->SetStabilizer(pixels * this->View->devicePixelRatioF());
+  }
 }
 
 void EditHand::setPressure(double pressure)
 {
-  this->Widget->GetRegionWidget()->GetPen()->SetPressure(pressure);
-  this->Widget->GetAreaSelectWidget()->GetPen()->SetPressure(pressure);
-  this->Widget->GetProfilePlaneWidget()->GetPen()->SetPressure(pressure);
+  for (vtkOversketchStrokeWidget* pen : this->pens())
+  {
+    pen->SetPressure(pressure);
+  }
 }
 
 void EditHand::showLines(bool show)

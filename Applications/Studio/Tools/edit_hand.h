@@ -15,6 +15,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@
 class QTimer;
 class vtkCallbackCommand;
 class vtkOversketchEditWidget;
+class vtkOversketchStrokeWidget;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -97,6 +99,8 @@ private:
   void arrangeSoon();
   void rest();
   std::vector<std::size_t> later() const;
+  // Those in the view; the disc's is in a window of its own.
+  std::array<vtkOversketchStrokeWidget*, 3> pens() const;
   bool hasWeights();
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.

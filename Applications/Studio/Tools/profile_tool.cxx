@@ -1,9 +1,5 @@
 #include "profile_tool.h"
 
-#include "edit_hand.h"
-#include "edit_panel.h"
-#include "viewport.h"
-
 #include "vtkOversketchEditWidget.h"
 #include "vtkOversketchProfilePlaneWidget.h"
 #include "vtkOversketchProfileRepresentation.h"
@@ -66,14 +62,6 @@ QWidget* ProfileTool::makePanel(QWidget* parent)
   this->Panel->fit = [planes] { planes->GetProfileRepresentation()->ResetView(); };
   this->Panel->wantsKeys = [planes] { return planes->GetPen()->IsDrawing(); };
   return this->Panel;
-}
-
-void ProfileTool::setDark(bool dark)
-{
-  if (this->Panel)
-  {
-    this->Panel->setDark(dark);
-  }
 }
 
 } // namespace oversketch_studio

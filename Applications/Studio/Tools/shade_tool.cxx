@@ -1,9 +1,5 @@
 #include "shade_tool.h"
 
-#include "edit_hand.h"
-#include "edit_panel.h"
-#include "viewport.h"
-
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchEdit.h"
 #include "vtkOversketchEditWidget.h"
@@ -117,7 +113,7 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
     this,
     [this](bool on)
     {
-      if (this->viewport()->tool() == this)
+      if (this->isHeld())
       {
         this->hand().setMode(on ? vtkOversketchEditWidget::Areas : vtkOversketchEditWidget::Shade);
       }
@@ -136,14 +132,6 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
   this->Panel->wantsKeys = [edit] { return edit->GetDiscAreaWidget()->GetPen()->IsDrawing(); };
   this->follow();
   return this->Panel;
-}
-
-void ShadeTool::setDark(bool dark)
-{
-  if (this->Panel)
-  {
-    this->Panel->setDark(dark);
-  }
 }
 
 void ShadeTool::start()
@@ -169,7 +157,7 @@ void ShadeTool::follow()
   // A lasso has been drawn: its layers come next.
   const int areas =
     static_cast<int>(this->hand().widget()->GetAreaSelectWidget()->GetAreas()->GetNumberOfLines());
-  if (std::exchange(this->Areas, areas) < areas && this->viewport()->tool() == this && !this->hand().draws())
+  if (std::exchange(this->Areas, areas) < areas && this->isHeld() && !this->hand().draws())
   {
     this->Lasso->setChecked(false);
   }
