@@ -286,7 +286,7 @@ void vtkOversketchEditWidget::Run()
     if (inner.region->HasReference())
     {
       this->Connect();
-      message = inner.edit->Prepare() ? Message() : ranTold(inner.edit).second; // it may be none already
+      message = inner.edit->Prepare() ? Message() : runAndReport(inner.edit).second; // it may be none already
     }
   }
   this->FeedWidgets();

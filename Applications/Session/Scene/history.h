@@ -39,8 +39,8 @@ public:
     this->Now = std::move(next);
     ++this->At;
   }
-  // The last change goes on.
-  void goOn(Session next)
+  // One step of undo with the last change.
+  void mergeIntoLast(Session next)
   {
     if (this->isSaved())
     {

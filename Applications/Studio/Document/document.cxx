@@ -350,30 +350,30 @@ void Document::setParameters(int index, const Values& values, const std::optiona
   this->commit(std::move(next));
 }
 
-void Document::shape(int index, const Values& values, bool goesOn)
+void Document::setValues(int index, const Values& values, bool mergesIntoLast)
 {
   auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
   step->values = values;
-  this->follow(index, step, goesOn);
+  this->setStep(index, step, mergesIntoLast);
 }
 
-void Document::place(int index, const PartPlace& place, bool goesOn)
+void Document::setPlacement(int index, const PartPlace& place, bool mergesIntoLast)
 {
   auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
   step->part = place;
-  this->follow(index, step, goesOn);
+  this->setStep(index, step, mergesIntoLast);
 }
 
 // A change by a hand that goes on.
-void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
+void Document::setStep(int index, std::shared_ptr<const Step> step, bool mergesIntoLast)
 {
   Session next = this->session();
   Node& node = next.nodes[indexOf(index)];
   node.step = std::move(step);
   const int id = node.id;
-  if (goesOn && this->Shaped == id && this->takes(next))
+  if (mergesIntoLast && this->Shaped == id && this->takes(next))
   {
-    this->Changes->goOn(std::move(next));
+    this->Changes->mergeIntoLast(std::move(next));
     this->run(Change::Drawn);
   }
   else

@@ -121,11 +121,11 @@ public:
   void setParameters(int node,
     const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
-  // The same by a hand that sees the mesh follow. What goes on from the last such change of the step is one
+  // The same by a hand that sees the mesh follow. What merges into the last such change of the step is one
   // step of undo with it.
-  void shape(int node, const oversketch_session::Values& values, bool goesOn);
-  // Puts a part elsewhere, as shape().
-  void place(int node, const oversketch_session::PartPlace& place, bool goesOn);
+  void setValues(int node, const oversketch_session::Values& values, bool mergesIntoLast);
+  // Puts a part elsewhere, as setValues().
+  void setPlacement(int node, const oversketch_session::PartPlace& place, bool mergesIntoLast);
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
@@ -203,7 +203,7 @@ private:
   void choose(); // the wanted one, as soon as it can be
   void turnFrom(const oversketch_session::Session& before);
   oversketch_session::Session chosen(int place) const;
-  void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
+  void setStep(int node, std::shared_ptr<const oversketch_session::Step> step, bool mergesIntoLast);
   void run(Change change);
   void submit(); // what is shown
   void keep();
@@ -222,7 +222,7 @@ private:
   int Backend = 0, Up = 1;
   std::optional<oversketch_session::Look> Seen;
   std::function<std::optional<oversketch_session::Look>()> LookNow;
-  int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
+  int Shaped = 0;         // the id of the step that the last change was a setValues() or setPlacement() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
   // What each model wears, by its id, so that nothing is decoded when it is seen again.

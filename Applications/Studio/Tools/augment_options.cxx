@@ -206,11 +206,12 @@ void AugmentOptions::chosen()
 // By the events' own times: a busy machine may be late with them.
 void AugmentOptions::changed(const QDoubleSpinBox* length, ulong time)
 {
-  const bool goesOn = length == this->LastChanged && time >= this->LastTime && time - this->LastTime < pause;
+  const bool mergesIntoLast =
+    length == this->LastChanged && time >= this->LastTime && time - this->LastTime < pause;
   this->LastChanged = length;
   this->LastTime = time;
   this->refresh();
-  emit this->shaped(goesOn);
+  emit this->shaped(mergesIntoLast);
 }
 
 } // namespace oversketch_studio

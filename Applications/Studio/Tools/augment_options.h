@@ -35,8 +35,8 @@ public:
   bool isOnSurface() const;
 
 signals:
-  // By the hand; `goesOn`: so soon after the last change of the same length that it is one with it.
-  void shaped(bool goesOn);
+  // By the hand; `mergesIntoLast`: so soon after the last change of the same length that it is one with it.
+  void shaped(bool mergesIntoLast);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -219,7 +219,7 @@ Values AugmentTool::values() const
   return values;
 }
 
-void AugmentTool::shape(bool goesOn)
+void AugmentTool::shape(bool mergesIntoLast)
 {
   const Values values = this->values();
   this->setValues(values);
@@ -230,7 +230,7 @@ void AugmentTool::shape(bool goesOn)
     {
       this->Offered[name] = value;
     }
-    emit this->shaped(this->Offered, goesOn);
+    emit this->shaped(this->Offered, mergesIntoLast);
   }
 }
 

@@ -82,8 +82,8 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
       }
       emit this->left();
     });
-  this->Handles.moved = [this](const PartPlace& place, bool goesOn)
-  { emit this->placed(this->node(), place, goesOn); };
+  this->Handles.moved = [this](const PartPlace& place, bool mergesIntoLast)
+  { emit this->placed(this->node(), place, mergesIntoLast); };
   this->Handles.givenUp = [this] { emit Tool::givenUp(); };
   connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
   connect(document, &Document::opened, this, &DrawingTool::follow);

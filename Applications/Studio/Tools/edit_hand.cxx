@@ -345,7 +345,7 @@ void EditHand::arrange()
   else
   {
     this->load({ *this->Offered, true, this->State.before, this->State.given, this->OfferedId });
-    if (this->wantsAnother(*this->Offered) && !this->goOn())
+    if (this->wantsAnother(*this->Offered) && !this->beginNext())
     {
       this->rest(); // until its mesh is there
     }
@@ -391,7 +391,7 @@ bool EditHand::wantsAnother(const Step& step) const
 }
 
 // The next step, on the mesh that this one makes, by its line and its ring where it has left them.
-bool EditHand::goOn()
+bool EditHand::beginNext()
 {
   const SharedData& mesh = this->OpenDocument->result().mesh;
   if (this->OpenDocument->isBusy() || !mesh || !this->hasRegion())

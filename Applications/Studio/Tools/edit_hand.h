@@ -105,7 +105,7 @@ private:
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.
   void begin();
-  bool goOn();
+  bool beginNext();
   bool wantsAnother(const Step& step) const;
   void load(const Work& work, bool again = false);
   void loadCurves(const Work& work);

@@ -68,7 +68,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
   this->Widget->SetDefaultRenderer(viewport->renderer());
   this->Widget->GetHeldStrokeRepresentation()->ShowFromElsewhereOff(); // StrokeLines does
   this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &HeldStrokeTool::begins);
-  this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &HeldStrokeTool::goesOn);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &HeldStrokeTool::handMoves);
   this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &HeldStrokeTool::letGo);
   this->Widget->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &HeldStrokeTool::strokeEnds);
   // Return leaves the stroke alone, so that the next one can begin on it; a move of the camera, its preview.
@@ -257,7 +257,7 @@ void HeldStrokeTool::begins()
   }
 }
 
-void HeldStrokeTool::goesOn()
+void HeldStrokeTool::handMoves()
 {
   if (this->moves())
   {

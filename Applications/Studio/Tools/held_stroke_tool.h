@@ -72,7 +72,7 @@ protected:
 
 private:
   void begins();
-  void goesOn();
+  void handMoves();
   void strokeEnds();
   void followHand();
   void letGo();

@@ -130,13 +130,14 @@ signals:
   void remade(const oversketch_session::Step& step);
   // What was drawn is no stroke: one is that long at least [px of the screen].
   void tooShort(double least);
-  // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
-  void shaped(const oversketch_session::Values& values, bool goesOn);
+  // The hand gives the step that was offered other values; `mergesIntoLast`: of one movement with the last
+  // time.
+  void shaped(const oversketch_session::Values& values, bool mergesIntoLast);
   // The hand has changed a step of the history, whatever is offered.
   void edited(int node, const oversketch_session::Step& step);
-  // The hand puts a part of the model elsewhere; `goesOn`: of one movement with the last time. It gives the
-  // movement up.
-  void placed(int node, const oversketch_session::PartPlace& place, bool goesOn);
+  // The hand puts a part of the model elsewhere; `mergesIntoLast`: of one movement with the last time. It
+  // gives the movement up.
+  void placed(int node, const oversketch_session::PartPlace& place, bool mergesIntoLast);
   void givenUp();
   // What is drawn on and the model change sides.
   void swapAsked();

@@ -186,7 +186,7 @@ void MainWindow::listenToTool(Tool* tool)
   connect(tool, &Tool::remade, this, &MainWindow::stepRemade);
   connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
   connect(tool, &Tool::edited, this->OpenDocument, &Document::redraw);
-  connect(tool, &Tool::placed, this->OpenDocument, &Document::place);
+  connect(tool, &Tool::placed, this->OpenDocument, &Document::setPlacement);
   connect(tool, &Tool::givenUp, this->OpenDocument, &Document::undo);
   connect(tool,
     &Tool::swapAsked,
@@ -285,11 +285,11 @@ void MainWindow::stepRemade(const Step& step)
   }
 }
 
-void MainWindow::stepShaped(const Values& values, bool goesOn)
+void MainWindow::stepShaped(const Values& values, bool mergesIntoLast)
 {
   if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
   {
-    this->OpenDocument->shape(this->Offered, values, goesOn);
+    this->OpenDocument->setValues(this->Offered, values, mergesIntoLast);
   }
 }
 

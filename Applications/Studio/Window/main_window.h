@@ -138,7 +138,7 @@ private:
   void stepChanged(const oversketch_session::Step& step);
   void stepRemade(const oversketch_session::Step& step);
   void opened();
-  void stepShaped(const oversketch_session::Values& values, bool goesOn);
+  void stepShaped(const oversketch_session::Values& values, bool mergesIntoLast);
   void setTool(Tool* tool);
   void selectDrawing(const Tool* tool);
   // The one that draws steps of a node's system, the one in the hand before others; null where none does.
