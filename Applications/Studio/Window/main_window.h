@@ -10,7 +10,10 @@
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 class QAction;
 class QDockWidget;
@@ -82,7 +85,20 @@ private:
   // Whether a long work may begin; says which one it has to wait for.
   bool mayBegin();
   void tell(const QStringList& notes);
-  // What is read on a thread of its own is shown, instead of what is there.
+  // Does a work on a thread of its own, while the window says what goes on, and `then` after it here. Returns
+  // whether both went well, and says why not in a box, where they were not given up.
+  bool runAside(const QString& what, const std::function<void()>& work, const std::function<void()>& then);
+  // The same for what is read, which `then` is given. The thread may outlive the window.
+  template <typename Read, typename Then>
+  bool readAside(const QString& name, const Read& read, const Then& then)
+  {
+    const auto made = std::make_shared<std::optional<decltype(read())>>();
+    return this->runAside(
+      tr("Reading %1…").arg(name),
+      [made, read] { *made = read(); },
+      [&made, &then] { then(std::move(**made)); });
+  }
+  // Shows what is read, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);
   bool openExample(const Example& example);
   bool recover(const oversketch_session::LeftBehind& left, const QString& name);

@@ -107,6 +107,24 @@ bool MainWindow::mayBegin()
   return what.isEmpty();
 }
 
+bool MainWindow::runAside(const QString& what,
+  const std::function<void()>& work,
+  const std::function<void()>& then)
+{
+  bool done = false;
+  return this->mayBegin() &&
+         this->tried(
+           [&]
+           {
+             done = doLongWork(this, what, work);
+             if (done)
+             {
+               then();
+             }
+           }) &&
+         done;
+}
+
 void MainWindow::tell(const QStringList& notes)
 {
   if (!notes.isEmpty())
@@ -165,44 +183,27 @@ bool MainWindow::openExample(const Example& example)
 
 bool MainWindow::openRead(const QString& name, const std::function<Document::Opened()>& read)
 {
-  if (!this->mayBegin() || !this->mayLeave())
-  {
-    return false;
-  }
-  const auto opened = std::make_shared<Document::Opened>();
-  bool done = false;
-  this->tried(
-    [&] { done = doLongWork(this, tr("Reading %1…").arg(name), [opened, read] { *opened = read(); }); });
-  if (!done)
-  {
-    return false;
-  }
-  this->Redrawn = -1;
-  this->stopTeaching();
-  const QStringList notes = opened->notes;
-  this->OpenDocument->open(std::move(*opened));
-  this->tell(notes);
-  return true;
+  return this->mayBegin() && this->mayLeave() &&
+         this->readAside(name,
+           read,
+           [this](Document::Opened opened)
+           {
+             this->Redrawn = -1;
+             this->stopTeaching();
+             const QStringList notes = opened.notes;
+             this->OpenDocument->open(std::move(opened));
+             this->tell(notes);
+           });
 }
 
 bool MainWindow::recover(const LeftBehind& left, const QString& name)
 {
   const int backend = this->OpenDocument->backend();
-  bool done = false;
-  this->tried(
-    [&]
-    {
-      const auto read = std::make_shared<Document::Opened>();
-      const QString folder = QString::fromStdString(left.folder);
-      done = doLongWork(this,
-        tr("Reading %1…").arg(name),
-        [read, folder, backend] { *read = Document::read(folder, backend); });
-      if (done)
-      {
-        this->OpenDocument->recover(left, std::move(*read));
-      }
-    });
-  return done;
+  const QString folder = QString::fromStdString(left.folder);
+  return this->readAside(
+    name,
+    [folder, backend] { return Document::read(folder, backend); },
+    [this, &left](Document::Opened read) { this->OpenDocument->recover(left, std::move(read)); });
 }
 
 bool MainWindow::offerRecovery()
@@ -288,27 +289,17 @@ bool MainWindow::save()
 
 bool MainWindow::saveTo(const QString& path)
 {
-  if (!this->mayBegin())
-  {
-    return false;
-  }
-  bool done = false;
   const auto file = std::make_shared<const SessionFile>(this->OpenDocument->toSave());
-  this->tried(
-    [&]
+  return this->runAside(
+    tr("Saving %1…").arg(QFileInfo(path).fileName()),
+    [path, file] { writeSession(path.toStdString(), *file); },
+    [this, &path]
     {
-      done = doLongWork(this,
-        tr("Saving %1…").arg(QFileInfo(path).fileName()),
-        [path, file] { writeSession(path.toStdString(), *file); });
+      this->OpenDocument->saved(path);
+      this->remember(path);
+      QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
+      this->Advice->setText(tr("Saved as %1.").arg(path));
     });
-  if (done)
-  {
-    this->OpenDocument->saved(path);
-    this->remember(path);
-    QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
-    this->Advice->setText(tr("Saved as %1.").arg(path));
-  }
-  return done;
 }
 
 bool MainWindow::saveAs()
@@ -364,28 +355,23 @@ void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, co
     meshes->emplace_back(std::move(copy));
   }
   const auto notes = std::make_shared<oversketch_files::Notes>();
-  this->tried(
+  const QString file = QFileInfo(path).fileName();
+  this->runAside(
+    tr("Exporting %1…").arg(file),
+    [meshes, part, path, notes]
+    {
+      const auto whole = joined({ meshes->begin(), meshes->end() });
+      meshes->clear(); // a large scene lies there once less
+      const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
+      oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
+    },
     [&]
     {
-      const bool done = doLongWork(this,
-        tr("Exporting %1…").arg(QFileInfo(path).fileName()),
-        [meshes, part, path, notes]
-        {
-          const auto whole = joined({ meshes->begin(), meshes->end() });
-          meshes->clear(); // a large scene lies there once less
-          const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
-          oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
-        });
-      if (done)
-      {
-        const QString file = QFileInfo(path).fileName();
-        const bool keeps = keepsPicture(path);
-        const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
-                             : keeps
-                               ? tr("Exported %1 with its picture.").arg(file)
-                               : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
-        this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
-      }
+      const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
+                           : keepsPicture(path)
+                             ? tr("Exported %1 with its picture.").arg(file)
+                             : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
+      this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
     });
 }
 
