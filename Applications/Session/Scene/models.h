@@ -33,6 +33,8 @@ constexpr std::size_t mostModels = 1000; // in a scene
 std::size_t modelCount(const Session& session);
 // A model by its place in the list of all.
 const Model& modelAt(const Session& session, std::size_t place);
+// The place of a model by its id; -1: it is not there.
+int placeOfModel(const Session& session, int id);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 

@@ -97,6 +97,13 @@ struct Session : Model
   std::vector<std::shared_ptr<const RestingModel>> others;
 };
 
+// The place of a node in a history, by its id; -1: it is not there.
+inline int rowOf(const std::vector<Node>& nodes, int id)
+{
+  const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
+  return node == nodes.end() ? -1 : static_cast<int>(node - nodes.begin());
+}
+
 // The next id: greater than all that the model names, so that nothing refers to a new step by chance.
 inline int freshId(const Model& model)
 {

@@ -502,12 +502,7 @@ void Document::keep()
   // What only undo brings back is decoded anew then.
   for (auto it = this->Worn.begin(); it != this->Worn.end();)
   {
-    bool isThere = false;
-    for (std::size_t place = 0; place < modelCount(this->session()); ++place)
-    {
-      isThere = isThere || modelAt(this->session(), place).id == it->first;
-    }
-    it = isThere ? std::next(it) : this->Worn.erase(it);
+    it = placeOfModel(this->session(), it->first) >= 0 ? std::next(it) : this->Worn.erase(it);
   }
   if (!this->Discarded)
   {

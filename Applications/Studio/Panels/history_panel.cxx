@@ -459,8 +459,7 @@ void HistoryPanel::refresh()
     const auto& nodes = this->OpenDocument->session().nodes;
     for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
     {
-      const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
-      it = std::any_of(nodes.begin(), nodes.end(), isIt) ? std::next(it) : this->Pictures.erase(it);
+      it = rowOf(nodes, it->first) >= 0 ? std::next(it) : this->Pictures.erase(it);
     }
     const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
     for (int i = 0; i < count; ++i)
@@ -515,12 +514,10 @@ int HistoryPanel::idOf(int node) const
 
 void HistoryPanel::setParameters(int id, const Values& values, int mirror)
 {
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
-  if (node != nodes.end()) // else it has been undone or deleted
+  const int node = rowOf(this->OpenDocument->session().nodes, id);
+  if (node >= 0) // else it has been undone or deleted
   {
-    this->OpenDocument->setParameters(
-      static_cast<int>(node - nodes.begin()), values, this->OpenDocument->mirrorPlane(mirror));
+    this->OpenDocument->setParameters(node, values, this->OpenDocument->mirrorPlane(mirror));
   }
 }
 

@@ -292,10 +292,13 @@ int DrawingTool::node() const
   }
   const auto& nodes = this->OpenDocument->session().nodes;
   const auto isDrawing = [](const Node& one) { return one.step->system == drawingSystem; };
-  auto it = std::find_if(
-    nodes.begin(), nodes.end(), [&](const Node& one) { return isDrawing(one) && one.id == this->Drawing; });
-  it = it == nodes.end() ? std::find_if(nodes.begin(), nodes.end(), isDrawing) : it;
-  return it == nodes.end() ? -1 : static_cast<int>(it - nodes.begin());
+  const int selected = rowOf(nodes, this->Drawing);
+  if (selected >= 0 && isDrawing(nodes[indexOf(selected)]))
+  {
+    return selected;
+  }
+  const auto first = std::find_if(nodes.begin(), nodes.end(), isDrawing);
+  return first == nodes.end() ? -1 : static_cast<int>(first - nodes.begin());
 }
 
 void DrawingTool::select(int node)

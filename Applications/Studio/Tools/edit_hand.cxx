@@ -144,15 +144,13 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
 std::vector<std::size_t> EditHand::later() const
 {
   const auto& nodes = this->OpenDocument->session().nodes;
-  const auto isOffered = [this](const Node& node) { return node.id == this->OfferedId; };
-  const auto offered = std::find_if(nodes.begin(), nodes.end(), isOffered);
+  const int offered = rowOf(nodes, this->OfferedId), shown = this->OpenDocument->shownTo();
   std::vector<std::size_t> places;
-  const std::size_t shown = indexOf(this->OpenDocument->shownTo());
-  for (auto i = static_cast<std::size_t>(offered - nodes.begin()) + 1; i < shown; ++i)
+  for (int i = offered + 1; offered >= 0 && i < shown; ++i)
   {
-    if (nodes[i].on)
+    if (nodes[indexOf(i)].on)
     {
-      places.push_back(i);
+      places.push_back(indexOf(i));
     }
   }
   return places;

@@ -124,14 +124,14 @@ void MainWindow::offerAnyway(int row, const std::string& property)
   this->OnAnyway = [this, id = this->OpenDocument->session().nodes[indexOf(row)].id, property]
   {
     const auto& nodes = this->OpenDocument->session().nodes;
-    const auto node =
-      std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
-    if (node != nodes.end() && !this->View->tool()->isBusy())
+    const int node = rowOf(nodes, id);
+    if (node >= 0 && !this->View->tool()->isBusy())
     {
-      Values values = node->step->values;
+      const auto step = nodes[indexOf(node)].step;
+      Values values = step->values;
       values[property] = true;
       this->View->setFocus();
-      this->OpenDocument->setParameters(static_cast<int>(node - nodes.begin()), values, node->step->mirror);
+      this->OpenDocument->setParameters(node, values, step->mirror);
     }
   };
 }

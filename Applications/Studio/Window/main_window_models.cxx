@@ -113,16 +113,12 @@ bool MainWindow::chooseModelAt(const QPoint& place)
     return false;
   }
   const auto id = this->View->display().others().at(static_cast<int>(x), static_cast<int>(y));
-  const Session& session = this->OpenDocument->session();
-  for (std::size_t i = 0; id && i < modelCount(session); ++i)
+  const int model = id ? placeOfModel(this->OpenDocument->session(), *id) : -1;
+  if (model >= 0)
   {
-    if (modelAt(session, i).id == *id)
-    {
-      this->OpenDocument->chooseModel(static_cast<int>(i));
-      return true;
-    }
+    this->OpenDocument->chooseModel(model);
   }
-  return false;
+  return model >= 0;
 }
 
 } // namespace oversketch_studio
