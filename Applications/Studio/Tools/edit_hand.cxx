@@ -136,13 +136,17 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
   this->OfferedId = id;
   this->Offered = step;
   this->State = state;
-  this->Buried = !this->later().empty();
   this->arrange();
 }
 
-// The places of those steps after the offered one that are on and shown.
+// The places of those steps after the offered one that are on and shown; none while a line waits for its
+// ring.
 std::vector<std::size_t> EditHand::later() const
 {
+  if (!this->Offered || this->isLineAlone())
+  {
+    return {};
+  }
   const auto& nodes = this->OpenDocument->session().nodes;
   const int offered = rowOf(nodes, this->OfferedId), shown = this->OpenDocument->shownTo();
   std::vector<std::size_t> places;
@@ -160,7 +164,7 @@ QStringList EditHand::lost() const
 {
   QStringList names;
   const auto& states = this->OpenDocument->result().nodes;
-  for (const std::size_t i : this->Buried ? this->later() : std::vector<std::size_t>())
+  for (const std::size_t i : this->later())
   {
     if (i < states.size() && (!states[i].failure.empty() || states[i].elsewhere))
     {
@@ -254,6 +258,11 @@ bool EditHand::hasLine() const
   return this->Widget->GetRegionWidget()->HasReference();
 }
 
+bool EditHand::isLineAlone() const
+{
+  return !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
+}
+
 bool EditHand::hasRegion() const
 {
   return this->Widget->HasRegion();
@@ -329,10 +338,7 @@ void EditHand::arrange()
     return;
   }
   this->Late = false;
-  const bool isLineAlone =
-    !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
-  this->Buried = this->Buried && this->Offered && !isLineAlone;
-  if (!this->Offered || isLineAlone)
+  if (!this->Offered || this->isLineAlone())
   {
     this->begin();
   }
@@ -526,7 +532,6 @@ void EditHand::publish()
     this->State.before = this->Loaded.mesh;
     this->State.given = this->Loaded.given;
     this->LeftId = 0;
-    this->Buried = this->Buried && !isNew;
     if (this->isMoved())
     {
       this->View->showPreview(this->live()); // until the result comes

@@ -62,7 +62,7 @@ public:
   bool hasLine() const;
   bool hasRegion() const;
   // Whether later steps act on the one that is offered; names of those that do nothing, or act elsewhere.
-  bool isUnderOthers() const { return this->Buried; }
+  bool isUnderOthers() const { return !this->later().empty(); }
   QStringList lost() const;
   // What the hand is to be told; empty where there is nothing.
   const QString& message() const { return this->Message; }
@@ -99,6 +99,7 @@ private:
   void arrangeSoon();
   void rest();
   std::vector<std::size_t> later() const;
+  bool isLineAlone() const;
   // Those in the view; the disc's is in a window of its own.
   std::array<vtkOversketchStrokeWidget*, 3> pens() const;
   bool hasWeights();
@@ -130,7 +131,7 @@ private:
   vtkNew<vtkCallbackCommand> Observer;
   QTimer* Soon;
   int Mode;
-  bool Held = false, Loading = false, Late = false, Buried = false;
+  bool Held = false, Loading = false, Late = false;
   std::optional<Step> Offered;
   SharedPicture Weights; // of the offered step, decoded; null: it has none, or they are to come
   oversketch_session::Worker::NodeState State; // of the offered step
