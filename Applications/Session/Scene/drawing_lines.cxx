@@ -56,6 +56,11 @@ std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing)
   return strokes;
 }
 
+std::vector<DrawnStroke> strokesOf(const Step& step)
+{
+  return step.system == drawingSystem ? strokesOf(linesOf(step, strokesInput)) : std::vector<DrawnStroke>();
+}
+
 namespace
 {
 

@@ -23,6 +23,8 @@ struct DrawnStroke
 
 // In their order; none where the data are no polylines. Which are on is cell array On, absent where all are.
 std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing);
+// Those of a step; none of one that is no drawing.
+std::vector<DrawnStroke> strokesOf(const Step& step);
 
 // The other way, with the field arrays of another drawing.
 vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, vtkPolyData* like);

@@ -313,64 +313,64 @@ void Document::add(const Step& step)
   this->commit(std::move(next), Change::Drawn);
 }
 
+Session Document::withStep(int index, const Step& step) const
+{
+  Session next = this->session();
+  next.nodes[indexOf(index)].step = std::make_shared<Step>(step);
+  return next;
+}
+
 void Document::redraw(int index, const Step& drawn)
 {
-  Step step = *this->session().nodes[indexOf(index)].step;
+  Step step = *this->nodeAt(index)->step;
   step.inputs = drawn.inputs;
   this->remake(index, step);
 }
 
 void Document::remake(int index, const Step& made)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  auto step = std::make_shared<Step>(*node.step);
-  step->inputs = made.inputs;
-  step->values = made.values;
-  node.step = step;
-  node.committed.reset(); // it takes hold anew
+  Step step = *this->nodeAt(index)->step;
+  step.inputs = made.inputs;
+  step.values = made.values;
+  Session next = this->withStep(index, step);
+  next.nodes[indexOf(index)].committed.reset(); // it takes hold anew
   this->commit(std::move(next), Change::Drawn);
 }
 
 void Document::setStrokes(int index, const std::vector<DrawnStroke>& strokes)
 {
-  const Step& step = *this->session().nodes[indexOf(index)].step;
+  const Step& step = *this->nodeAt(index)->step;
   const SystemInput* input = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
   this->redraw(index, withDrawing(step, drawingOf(strokes, linesOf(step, input->name))));
 }
 
 void Document::setParameters(int index, const Values& values, const std::optional<MirrorPlane>& mirror)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  auto step = std::make_shared<Step>(*node.step);
-  step->values = values;
-  step->mirror = mirror;
-  node.step = step;
-  this->commit(std::move(next));
+  Step step = *this->nodeAt(index)->step;
+  step.values = values;
+  step.mirror = mirror;
+  this->commit(this->withStep(index, step));
 }
 
 void Document::setValues(int index, const Values& values, bool mergesIntoLast)
 {
-  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
-  step->values = values;
+  Step step = *this->nodeAt(index)->step;
+  step.values = values;
   this->setStep(index, step, mergesIntoLast);
 }
 
 void Document::setPlacement(int index, const PartPlace& place, bool mergesIntoLast)
 {
-  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
-  step->part = place;
+  Step step = *this->nodeAt(index)->step;
+  step.part = place;
   this->setStep(index, step, mergesIntoLast);
 }
 
 // A change by a hand that goes on.
-void Document::setStep(int index, std::shared_ptr<const Step> step, bool mergesIntoLast)
+void Document::setStep(int index, const Step& step, bool mergesIntoLast)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  node.step = std::move(step);
-  const int id = node.id;
+  Session next = this->withStep(index, step);
+  const int id = next.nodes[indexOf(index)].id;
   if (mergesIntoLast && this->Shaped == id && this->takes(next))
   {
     this->Changes->mergeIntoLast(std::move(next));
@@ -499,7 +499,7 @@ void Document::submit()
 
 void Document::keep()
 {
-  // What only undo brings back is decoded anew then.
+  // Pictures that only undo brings back are decoded anew then.
   for (auto it = this->Worn.begin(); it != this->Worn.end();)
   {
     it = placeOfModel(this->session(), it->first) >= 0 ? std::next(it) : this->Worn.erase(it);

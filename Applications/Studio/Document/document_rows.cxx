@@ -7,6 +7,18 @@ namespace oversketch_studio
 
 using namespace oversketch_session;
 
+const Node* Document::nodeAt(int row) const
+{
+  const bool isThere = this->isOpen() && row >= 0 && indexOf(row) < this->session().nodes.size();
+  return isThere ? &this->session().nodes[indexOf(row)] : nullptr;
+}
+
+bool Document::isOf(int row, const std::string& system) const
+{
+  const Node* node = this->nodeAt(row);
+  return node && node->step->system == system;
+}
+
 void Document::remove(int index)
 {
   Session next = this->session();

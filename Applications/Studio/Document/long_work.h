@@ -1,5 +1,5 @@
-// What takes long, such as a large file, on a thread of its own: the window says that it goes on, and it can
-// be given up.
+// Work that takes long, such as a large file, on a thread of its own: the window says that it goes on, and it
+// can be given up.
 #ifndef oversketch_applications_studio_document_long_work_h
 #define oversketch_applications_studio_document_long_work_h
 

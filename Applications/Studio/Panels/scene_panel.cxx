@@ -191,7 +191,7 @@ void ScenePanel::refresh()
     this->findParts();
     this->list();
     this->hideParts();
-    // What is new is the hand's next.
+    // A new row is the hand's next.
     const int now = this->List->count();
     const auto isChosen = [place = static_cast<int>(this->OpenDocument->session().place)](const Row& one)
     { return one.model == place; };

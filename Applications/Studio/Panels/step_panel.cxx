@@ -144,7 +144,7 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     const double least = parameter.least, step = (parameter.most - least) / sliderSteps;
     const auto placeOf = [least, step](double value)
     { return static_cast<int>(std::lround((value - least) / step)); };
-    // What it was set to comes back as it was, though the slider has fewer places.
+    // The number that it was set to comes back as it was, though the slider has fewer places.
     field.read = [=](QWidget* widget) -> Value
     {
       const int place = static_cast<QSlider*>(widget)->value();
@@ -164,7 +164,7 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     number->setRange(-1e6, 1e6);
     connect(number, &QDoubleSpinBox::editingFinished, this, [this] { this->read(); });
     field.widget = number;
-    // What it was set to comes back as it was, though the box has fewer digits.
+    // The number that it was set to comes back as it was, though the box has fewer digits.
     field.read = [](QWidget* widget) -> Value
     {
       auto* box = static_cast<QDoubleSpinBox*>(widget);

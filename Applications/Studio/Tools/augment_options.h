@@ -1,4 +1,4 @@
-// What a line on the surface is made with: the bar above the viewport.
+// The values that a line on the surface is made with: the bar above the viewport.
 #ifndef oversketch_applications_studio_tools_augment_options_h
 #define oversketch_applications_studio_tools_augment_options_h
 
@@ -42,6 +42,7 @@ protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  double height() const { return this->Height == 0.0 ? 0.5 * this->Radius : this->Height; }
   void refresh();
   void chosen();
   void changed(const QDoubleSpinBox* length, ulong time);

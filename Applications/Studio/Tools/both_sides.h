@@ -1,4 +1,5 @@
-// What the hand does to a region, shown on the other side of a plane too, where the step has yet to run.
+// The preview of what the hand does to a region, shown on the other side of a plane too, where the step has
+// yet to run.
 #ifndef oversketch_applications_studio_tools_both_sides_h
 #define oversketch_applications_studio_tools_both_sides_h
 
@@ -37,7 +38,7 @@ private:
     vtkPolyData* moved,
     const oversketch_session::MirrorPlane& plane);
 
-  // What it was bound to.
+  // Things that it was bound to.
   const void *Cells = nullptr, *RestPoints = nullptr;
   oversketch_session::MirrorPlane Plane;
   std::vector<Follower> Followers;

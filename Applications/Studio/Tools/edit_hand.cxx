@@ -1,7 +1,6 @@
 #include "edit_hand.h"
 
 #include "document.h"
-#include "edit_step.h"
 #include "latency.h"
 #include "message_text.h"
 #include "viewport.h"
@@ -49,7 +48,6 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   , Soon(new QTimer(this))
   , Mode(vtkOversketchEditWidget::Direct)
 {
-  this->Loaded.step.system = editSystem;
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
   this->Widget->SetCurrentRenderer(viewport->renderer());
@@ -324,7 +322,7 @@ void EditHand::arrangeSoon()
   this->Soon->start(0);
 }
 
-// What the hand has before it: the step that is offered, or one to come.
+// Gives the hand what it has before it: the step that is offered, or one to come.
 void EditHand::arrange()
 {
   this->Soon->stop();
@@ -365,23 +363,23 @@ void EditHand::arrange()
 
 void EditHand::rest()
 {
-  this->load({ { editSystem, {}, {}, {}, {} }, false, {}, {}, 0 });
+  this->load(Work());
   this->Widget->SetEnabled(0);
 }
 
 void EditHand::begin()
 {
-  const SharedData& mesh = this->OpenDocument->result().mesh;
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
+  Work work;
+  work.mesh = this->OpenDocument->result().mesh;
+  if (!work.mesh)
+  {
+    this->rest();
+    return;
+  }
   if (!this->Loaded.isInHistory)
   {
     work.step = this->Loaded.step; // with its line
     work.given = this->Loaded.given;
-  }
-  if (!mesh)
-  {
-    this->rest();
-    return;
   }
   this->load(work);
 }
@@ -402,7 +400,8 @@ bool EditHand::beginNext()
   {
     return false;
   }
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
+  Work work;
+  work.mesh = mesh;
   const auto copyOf = [](vtkPolyData* curve)
   {
     auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -500,7 +499,7 @@ void EditHand::stopFollowing()
   }
 }
 
-// What the hand has made, once the widget has run it.
+// Publishes what the hand has made, once the widget has run it.
 void EditHand::publish()
 {
   const vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
@@ -563,7 +562,7 @@ bool EditHand::isMoved() const
          this->Loaded.step.inputs.count(profileInput) > 0;
 }
 
-// What cannot be is taken back, and why is said.
+// Takes back what cannot be, and says why.
 void EditHand::refuse(const QString& why)
 {
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;

@@ -1,9 +1,10 @@
-// What the tools of system B share: a line on the model and a ring round it, kept from one tool to the next,
-// and the edit of what lies between, which the model follows while the hand changes it.
+// The hand that the tools of system B share: a line on the model and a ring round it, kept from one tool to
+// the next, and the edit of what lies between, which the model follows while the hand changes it.
 #ifndef oversketch_applications_studio_tools_edit_hand_h
 #define oversketch_applications_studio_tools_edit_hand_h
 
 #include "both_sides.h"
+#include "edit_step.h"
 #include "picture_files.h"
 #include "step.h"
 #include "worker.h"
@@ -64,7 +65,7 @@ public:
   // Whether later steps act on the one that is offered; names of those that do nothing, or act elsewhere.
   bool isUnderOthers() const { return !this->later().empty(); }
   QStringList lost() const;
-  // What the hand is to be told; empty where there is nothing.
+  // The words that the hand is to be told; empty where there is nothing.
   const QString& message() const { return this->Message; }
   vtkOversketchEditWidget* widget() const { return this->Widget; }
   // How many greys the layers are shown in.
@@ -84,10 +85,10 @@ signals:
 
 private:
   using Step = oversketch_session::Step;
-  // What the widget is given.
+  // A task for the widget.
   struct Work
   {
-    Step step;                                                   // of the system
+    Step step{ editSystem, {}, {}, {}, {} };
     bool isInHistory = false;                                    // else it will be
     oversketch_session::SharedData mesh;                         // that it acts on
     std::map<std::string, oversketch_session::SharedData> given; // of other steps

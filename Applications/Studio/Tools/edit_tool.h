@@ -51,7 +51,7 @@ public:
   EditHand& hand() const { return *this->Hand; }
 
 protected:
-  // What can be done to a region with it, for the list of keys and as advice.
+  // The things that can be done to a region with it, for the list of keys and as advice.
   virtual QVector<QPair<QString, QString>> ways() const = 0;
   virtual QString way() const = 0;
   Viewport* viewport() const { return this->View; }

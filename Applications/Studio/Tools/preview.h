@@ -17,7 +17,7 @@ class Preview
 public:
   using Following = std::shared_ptr<const oversketch_session::Following>;
 
-  // Of a mesh with as many points as `following` says, which stays as it is.
+  // Moves points of a mesh with as many points as `following` says, which stays as it is.
   Preview(vtkPolyData* rest, const Following& following);
 
   // The mesh with the stroke moved by a vector [world].

@@ -15,6 +15,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace oversketch_studio
@@ -103,8 +104,7 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
   this->Levels->setRange(fewestLevels, mostLevels);
   this->Levels->setKeyboardTracking(false);
   label->setBuddy(this->Levels);
-  for (QWidget* one :
-    { static_cast<QWidget*>(this->Lasso), static_cast<QWidget*>(label), static_cast<QWidget*>(this->Levels) })
+  for (QWidget* one : std::initializer_list<QWidget*>{ this->Lasso, label, this->Levels })
   {
     this->Panel->addControl(one);
   }

@@ -88,7 +88,7 @@ private:
   // Does a work on a thread of its own, while the window says what goes on, and `then` after it here. Returns
   // whether both went well, and says why not in a box, where they were not given up.
   bool runAside(const QString& what, const std::function<void()>& work, const std::function<void()>& then);
-  // The same for what is read, which `then` is given. The thread may outlive the window.
+  // Reads aside, and gives `then` what was read. The thread may outlive the window.
   template <typename Read, typename Then>
   bool readAside(const QString& name, const Read& read, const Then& then)
   {
@@ -100,6 +100,7 @@ private:
   }
   // Shows what is read, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);
+  bool openFile(const QString& path);
   bool openExample(const Example& example);
   bool recover(const oversketch_session::LeftBehind& left, const QString& name);
   bool saveTo(const QString& path);

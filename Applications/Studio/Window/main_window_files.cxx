@@ -49,12 +49,7 @@ namespace
 // "*.obj *.ply": of extensions with blanks between.
 QString patternsOf(const char* extensions)
 {
-  QString patterns;
-  for (const QString& extension : QString::fromLatin1(extensions).split(' '))
-  {
-    patterns += " *" + extension;
-  }
-  return patterns.mid(1);
+  return '*' + QString::fromLatin1(extensions).replace(' ', " *");
 }
 
 // Where the session lies, else where the last one was saved, else where the model or the picture is from; not
@@ -141,22 +136,22 @@ bool MainWindow::open(const QString& path)
   {
     const bool canBeHeights =
       oversketch_files::isHeightsExtension("." + suffix.toStdString()) && findSystem("Terrain");
-    QPushButton* over = nullptr;
+    if (!canBeHeights)
+    {
+      return this->openPicture(path);
+    }
     QMessageBox box(QMessageBox::Question,
       tr("Oversketch"),
       tr("What is %1 for?").arg(QFileInfo(path).fileName()),
       {},
       this);
-    over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
+    QPushButton* over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
     QPushButton* heights = box.addButton(tr("Take it as &heights"), QMessageBox::AcceptRole);
     QPushButton* none = box.addButton(QMessageBox::Cancel);
     none->setText(tr("&Cancel"));
     box.setDefaultButton(over);
-    if (canBeHeights)
-    {
-      box.exec();
-    }
-    if (!canBeHeights || box.clickedButton() == over)
+    box.exec();
+    if (box.clickedButton() == over)
     {
       return this->openPicture(path);
     }
@@ -165,14 +160,19 @@ bool MainWindow::open(const QString& path)
       return false;
     }
   }
-  const int backend = this->OpenDocument->backend();
-  const bool opened =
-    this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
+  const bool opened = this->openFile(path);
   if (opened)
   {
     this->remember(path);
   }
   return opened;
+}
+
+bool MainWindow::openFile(const QString& path)
+{
+  const int backend = this->OpenDocument->backend();
+  return this->openRead(
+    QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
 }
 
 bool MainWindow::openExample(const Example& example)
@@ -242,9 +242,7 @@ bool MainWindow::offerRecovery()
 void MainWindow::openShippedModel()
 {
   const QString path = shippedModel();
-  const int backend = this->OpenDocument->backend();
-  if (!path.isEmpty() &&
-      this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); }))
+  if (!path.isEmpty() && this->openFile(path))
   {
     this->ShowsHints = true;
     this->teach();
@@ -456,7 +454,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     [this, path, onScene]
     {
       // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
-      // What is both, a TIFF, is a grid of heights sooner.
+      // A TIFF may be both: it is a grid of heights sooner.
       const QString kind = QFileInfo(path).suffix().toLower();
       const bool isPicture = pictureExtensions().contains(kind) && !kind.startsWith("tif");
       const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;
