@@ -57,36 +57,30 @@ Document::Document(QObject* parent)
   : QObject(parent)
   , Saver(autosaveRoot())
 {
-  // The worker's thread posts to this object's; what arrives after a newer change is left aside there.
+  // The threads of worker and autosave post to this object's; what arrives after a newer change is left aside
+  // there.
+  const auto post = [this](auto act)
+  { QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection); };
   Worker::Listener listener;
-  listener.done = [this](Worker::Result result)
+  listener.done = [this, post](Worker::Result result)
   {
     auto worn = decodedOf(result.display); // here, so that the window's thread need not
-    QMetaObject::invokeMethod(
-      this,
-      [this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); },
-      Qt::QueuedConnection);
+    post([this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); });
   };
-  listener.detailed = [this](Worker::Details details)
+  listener.detailed = [this, post](Worker::Details details)
+  { post([this, made = std::move(details)] { this->takeDetails(made); }); };
+  listener.cancelled = [this, post](std::uint64_t ticket)
   {
-    QMetaObject::invokeMethod(
-      this, [this, made = std::move(details)] { this->takeDetails(made); }, Qt::QueuedConnection);
-  };
-  listener.cancelled = [this](std::uint64_t ticket)
-  {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket]
       {
         this->Detailed = std::max(this->Detailed, ticket); // nothing will come
         this->answered(ticket);
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.traced = [this](std::uint64_t ticket, std::vector<SharedData> lines)
+  listener.traced = [this, post](std::uint64_t ticket, std::vector<SharedData> lines)
   {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket, made = std::move(lines)]
       {
         if (ticket == this->Result.ticket)
@@ -94,13 +88,12 @@ Document::Document(QObject* parent)
           this->Traces = made;
           emit this->traced();
         }
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.pictured = [this](std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
+  listener.pictured = [this, post](
+                        std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
   {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket, node, made = std::move(picture)]
       {
         if (ticket == this->Result.ticket)
@@ -108,29 +101,17 @@ Document::Document(QObject* parent)
           this->Result.nodes[node].picture = made;
           emit this->pictured(static_cast<int>(node));
         }
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.progress = [this](std::uint64_t, std::size_t node, const std::string& stage, double share)
+  listener.progress = [this, post](std::uint64_t, std::size_t node, const std::string& stage, double share)
   {
     const QString name = QString::fromStdString(stage);
-    QMetaObject::invokeMethod(
-      this,
-      [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
-      Qt::QueuedConnection);
+    post([this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); });
   };
-  listener.evaluatedAside = [this](const SharedData& mesh)
-  {
-    QMetaObject::invokeMethod(
-      this, [this, mesh] { emit this->beforeCame(mesh); }, Qt::QueuedConnection);
-  };
+  listener.evaluatedAside = [this, post](const SharedData& mesh)
+  { post([this, mesh] { emit this->beforeCame(mesh); }); };
   this->Background = std::make_unique<Worker>(std::move(listener));
-  this->Saver.onKept(
-    [this]
-    {
-      QMetaObject::invokeMethod(
-        this, [this] { emit this->kept(); }, Qt::QueuedConnection);
-    });
+  this->Saver.onKept([this, post] { post([this] { emit this->kept(); }); });
 }
 
 Document::~Document() = default;

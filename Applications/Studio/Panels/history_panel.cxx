@@ -53,10 +53,9 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
   , OpenDocument(document)
   , List(new StepList(this))
-  , Empty(
-      new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it acts: "
-                    "the model follows."),
-        this->List->viewport()))
+  , Empty(new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it "
+                        "acts: the model follows."),
+      this->List->viewport()))
   , Form(new StepPanel(this))
 {
   this->List->setObjectName("history");

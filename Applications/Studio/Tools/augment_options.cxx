@@ -78,7 +78,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     box->setKeyboardTracking(false);
     box->installEventFilter(this);
   }
-  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, [this] { this->chosen(); });
+  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, &AugmentOptions::chosen);
   connect(this->Direction,
     QOverload<int>::of(&QComboBox::activated),
     this,
@@ -104,7 +104,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
       this->Height = std::copysign(height, this->Height);
       this->changed(this->HeightBox, this->BoxTime);
     });
-  connect(this->Pressure, &QCheckBox::clicked, this, [this] { this->chosen(); });
+  connect(this->Pressure, &QCheckBox::clicked, this, &AugmentOptions::chosen);
   this->begin(1.0);
 }
 

@@ -143,8 +143,8 @@ QString DrawingTool::need() const
   {
     return this->Arranged
              ? tr("Close the outline: end it where it began, or draw what is missing.")
-             : tr("Close the outline: end it where it began, or draw what is missing with Shift "
-                  "from one end to the other. Outlines of several lines: tick Strokes may cross.");
+             : tr("Close the outline: end it where it began, or draw what is missing with Shift from one end "
+                  "to the other. Outlines of several lines: tick Strokes may cross.");
   }
   return {};
 }
@@ -224,15 +224,13 @@ QString DrawingTool::advice(const Situation&) const
   }
   if (this->OpenDocument->nodeAt(at)->step->part)
   {
-    return tr(
-      "Over the model: drag the box's middle to move the part, a corner for its size, the orange handle "
-      "for its depth. D pulls a limb of the model.");
+    return tr("Over the model: drag the box's middle to move the part, a corner for its size, the orange "
+              "handle for its depth. D pulls a limb of the model.");
   }
   if (countOf(this->Pad->widget()->GetCurves(), closedFeature) > 0)
   {
-    return tr(
-      "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part of "
-      "it. D pulls a limb of the model.");
+    return tr("Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part "
+              "of it. D pulls a limb of the model.");
   }
   return tr("Draw a feature inside, or a closed line that a click makes a hole. Shift + drag over a line "
             "redraws a part of it. D pulls a limb of the model.");
@@ -428,7 +426,7 @@ void DrawingTool::follow()
 // Reads that of the drawing that has been taken up, where nobody has it yet.
 void DrawingTool::readPicture()
 {
-  if (isLongWorkGoing())
+  if (!longWorkGoing().isEmpty())
   {
     QTimer::singleShot(picturePatience, this, &DrawingTool::readPicture);
     return;

@@ -21,7 +21,7 @@
 #include "vtkOversketchRegionWidget.h"
 #include "vtkOversketchStrokeWidget.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -54,16 +54,13 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   this->Widget->RegionInAllModesOn();
   // Triangles are the document's, on a thread of its own.
   this->Widget->GetEdit()->SetRuleToOff();
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* text)
-    { static_cast<EditHand*>(self)->heard(event, static_cast<const char*>(text)); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
          vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
          vtkCommand::WidgetValueChangedEvent,
          vtkCommand::MessageEvent })
   {
-    this->Widget->AddObserver(event, this->Observer);
+    this->Widget->AddObserver(event, this, &EditHand::heard);
   }
   this->Soon->setSingleShot(true);
   connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
@@ -92,7 +89,7 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
 
 EditHand::~EditHand()
 {
-  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->RemoveAllObservers();
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
 }
@@ -428,7 +425,7 @@ void EditHand::applyMode()
   this->View->setHandCursor(pen ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-void EditHand::heard(unsigned long event, const char* text)
+void EditHand::heard(vtkObject*, unsigned long event, void* text)
 {
   if (this->Loading)
   {
@@ -463,7 +460,7 @@ void EditHand::heard(unsigned long event, const char* text)
       this->publish();
       break;
     default:
-      this->Message = QString::fromUtf8(text);
+      this->Message = QString::fromUtf8(static_cast<const char*>(text));
       emit this->left();
   }
 }

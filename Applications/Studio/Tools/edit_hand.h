@@ -24,7 +24,7 @@
 #include <vector>
 
 class QTimer;
-class vtkCallbackCommand;
+class vtkObject;
 class vtkOversketchEditWidget;
 class vtkOversketchStrokeWidget;
 class vtkPolyData;
@@ -95,7 +95,7 @@ private:
     int id = 0;                                                  // of the step in the history
   };
 
-  void heard(unsigned long event, const char* text);
+  void heard(vtkObject* from, unsigned long event, void* text);
   void arrange();
   void arrangeSoon();
   void rest();
@@ -129,7 +129,6 @@ private:
   vtkNew<vtkOversketchEditWidget> Widget;
   vtkNew<vtkPolyData> Live;
   BothSides Mirrored;
-  vtkNew<vtkCallbackCommand> Observer;
   QTimer* Soon;
   int Mode;
   bool Held = false, Loading = false, Late = false;

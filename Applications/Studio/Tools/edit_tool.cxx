@@ -62,8 +62,8 @@ QString EditTool::advice(const Situation& situation) const
   }
   if (const QStringList lost = this->Hand->lost(); !lost.isEmpty())
   {
-    return tr("Later steps do nothing now, or act elsewhere: %1. Their rows say more; Ctrl+Z takes the "
-              "change back.")
+    return tr(
+      "Later steps do nothing now, or act elsewhere: %1. Their rows say more; Ctrl+Z takes the change back.")
       .arg(lost.join(", "));
   }
   if (situation.redraws)
@@ -72,9 +72,8 @@ QString EditTool::advice(const Situation& situation) const
   }
   if (!this->Hand->hasLine())
   {
-    return tr(
-      "Draw a line on the model, then a ring round it: what lies between follows the line. The middle "
-      "button turns the model, F1 lists the keys.");
+    return tr("Draw a line on the model, then a ring round it: what lies between follows the line. The "
+              "middle button turns the model, F1 lists the keys.");
   }
   if (!this->Hand->hasRegion())
   {

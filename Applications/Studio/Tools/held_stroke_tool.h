@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 class vtkOversketchHeldStrokeWidget;
@@ -71,6 +72,7 @@ protected:
   const Document* document() const { return this->OpenDocument; }
 
 private:
+  std::optional<oversketch_session::MirrorPlane> mirrorPlane() const;
   void begins();
   void handMoves();
   void strokeEnds();

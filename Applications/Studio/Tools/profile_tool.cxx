@@ -47,9 +47,8 @@ QVector<QPair<QString, QString>> ProfileTool::ways() const
 
 QString ProfileTool::way() const
 {
-  return tr(
-    "Draw over the section in the dock, and the model follows; orange is its left end, the arrow points "
-    "outward. Drag the plane along the line. Return: done.");
+  return tr("Draw over the section in the dock, and the model follows; orange is its left end, the arrow "
+            "points outward. Drag the plane along the line. Return: done.");
 }
 
 QWidget* ProfileTool::makePanel(QWidget* parent)

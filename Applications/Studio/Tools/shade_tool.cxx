@@ -79,12 +79,11 @@ QVector<QPair<QString, QString>> ShadeTool::ways() const
 
 QString ShadeTool::way() const
 {
-  return this->Lasso && this->Lasso->isChecked() ? tr("Draw a lasso round a part of the region, on the model "
-                                                      "or on the disc: layers that you drag then are "
-                                                      "that part's.")
-                                                 : tr("Drag a layer outward and more of the model follows "
-                                                      "the line, inward less, here or on the disc. E "
-                                                      "drags the line. Return: done.");
+  return this->Lasso && this->Lasso->isChecked()
+           ? tr("Draw a lasso round a part of the region, on the model or on the disc: layers that you drag "
+                "then are that part's.")
+           : tr("Drag a layer outward and more of the model follows the line, inward less, here or on the "
+                "disc. E drags the line. Return: done.");
 }
 
 QWidget* ShadeTool::makePanel(QWidget* parent)

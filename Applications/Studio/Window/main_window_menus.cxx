@@ -134,8 +134,8 @@ void MainWindow::makeMenus()
     {
       QMessageBox::about(this,
         tr("Oversketch"),
-        tr("Oversketch %1\nDraw one line over a shape and the shape follows.\n\nVTK %2, Qt %3\n"
-           "Free software under the BSD-3-Clause licence, without warranty.")
+        tr("Oversketch %1\nDraw one line over a shape and the shape follows.\n\nVTK %2, Qt %3\nFree software "
+           "under the BSD-3-Clause licence, without warranty.")
           .arg(QCoreApplication::applicationVersion(), vtkVersion::GetVTKVersion(), qVersion()));
     });
 }
