@@ -104,7 +104,7 @@ struct Evaluator::Runner
 
   std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
-  // What is prepared for a mesh, where that is not to take the place of what the last step computed.
+  // A runner that is prepared for a mesh, where that is not to take the place of what the last step computed.
   std::unique_ptr<SystemRunner> prepared;
   vtkSmartPointer<vtkPolyData> preparedFor;
   // Takes it up where a step is given that mesh.
@@ -198,7 +198,7 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
     }
     else if (const auto* lines = std::get_if<Lines>(&given->second))
     {
-      // The same ones as last time are the same data, so that the steps keep what they made of them.
+      // Lines that are those of last time are the same data, so that the steps keep what they made of them.
       auto& [identity, data] = this->runner(step.system)->lines[input.name];
       if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
       {

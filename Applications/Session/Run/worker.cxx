@@ -55,7 +55,7 @@ const SystemRow* nextOf(const Model& model)
   return findSystem(model.nodes.back().step->system);
 }
 
-// What a step takes of other steps, as copies.
+// Copies what a step takes of other steps.
 std::map<std::string, SharedData> givenTo(const Model& model,
   const std::vector<Outcome>& outcomes,
   std::size_t at)
@@ -267,7 +267,7 @@ void Worker::runAside(std::uint64_t ticket)
   }
 }
 
-// Of a mesh that is the last one, to the bit, what was made of it is still there.
+// Keeps what was made of a mesh that is the last one, to the bit.
 void Worker::show(vtkPolyData* mesh, Result& result)
 {
   if (!this->Shown || !isShallowCopy(mesh, this->Shown))

@@ -64,7 +64,7 @@ std::vector<DrawnStroke> strokesOf(const Step& step)
 namespace
 {
 
-// What a stroke says of itself, and what it is without the array.
+// Arrays in which a stroke says what it is, and their values where it has none.
 constexpr struct
 {
   const char* name;

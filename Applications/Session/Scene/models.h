@@ -11,7 +11,7 @@
 namespace oversketch_session
 {
 
-// What the steps of a model made.
+// The things that the steps of a model made.
 struct MadeModel
 {
   SharedData mesh;     // null where they make none
@@ -59,7 +59,7 @@ vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkPolyData*>& meshes);
 
 // Whether both have the same points, cells and arrays, not only equal ones.
 bool isShallowCopy(vtkPolyData* a, vtkPolyData* b);
-// The same mesh with polygons of its own: filters of VTK leave in them how far they are, and so do those of
+// Copies a mesh, with polygons of its own: filters of VTK leave in them how far they are, and so do those of
 // whoever shows the mesh meanwhile.
 vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh);
 

@@ -1,6 +1,5 @@
-// What a person made: models, each the mesh that was opened, if any, and the steps that were taken on it, in
-// order, and pictures. Values: a
-// change is a new Session that shares all that did not change.
+// The work of a person: models, each the mesh that was opened, if any, and the steps that were taken on it,
+// in order, and pictures. Values: a change is a new Session that shares all that did not change.
 #ifndef oversketch_applications_session_scene_session_h
 #define oversketch_applications_session_scene_session_h
 

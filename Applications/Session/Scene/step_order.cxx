@@ -28,7 +28,7 @@ OrderFault faultOfMove(const Model& model, std::size_t from, std::size_t to)
       const int needed = output ? rowOf(after, output->step) : -1;
       const int was = output ? rowOf(before, output->step) : -1;
       const int step = rowOf(before, after[i].id);
-      // Of a model that was read so, what was wrong before is not this move's.
+      // A fault that was there before, in a model that was read so, is not this move's.
       if (needed >= static_cast<int>(i) && was < step)
       {
         return { step, was };
