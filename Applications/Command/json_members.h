@@ -1,4 +1,4 @@
-// What the command asks of JSON files that it is given.
+// Members that the command asks of JSON files that it is given.
 #ifndef oversketch_applications_command_json_members_h
 #define oversketch_applications_command_json_members_h
 

@@ -1,5 +1,5 @@
-// What a command line gives for its options: words, numbers and places read from text. All throw BadUse,
-// naming the option.
+// Values that a command line gives for its options: words, numbers and places read from text. All throw
+// BadUse, naming the option.
 #ifndef oversketch_applications_command_option_values_h
 #define oversketch_applications_command_option_values_h
 

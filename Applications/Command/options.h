@@ -36,7 +36,7 @@ struct Options
   std::map<std::string, std::string> inputs;             // files, by the names of the system's inputs
   oversketch_session::Values values;
   std::set<std::string> shares; // properties whose values are shares of the mesh's size, to be multiplied
-  // What phrases add to texts, and numbers of words that are shares, to be multiplied.
+  // Words that phrases add to texts, and numbers of words that are shares, to be multiplied.
   struct Added
   {
     std::string property;
@@ -61,9 +61,9 @@ struct OptionText
   std::string value; // "OUT", empty for a switch
   std::string help;  // ends without a stop
 };
-// What a system's verb takes, in the order of its help: files that must be there, then options.
+// Everything that a system's verb takes, in the order of its help: files that must be there, then options.
 std::vector<OptionText> filesOf(const oversketch_session::SystemRow& system);
-// Of these the ones that must be given, but -o.
+// The ones of these that must be given, but -o.
 std::vector<OptionText> neededOf(const oversketch_session::SystemRow& system);
 std::vector<OptionText> optionsOf(const oversketch_session::SystemRow& system);
 

@@ -16,8 +16,8 @@
 namespace oversketch_command
 {
 
-// What a part is made of: a drawing, its picture and that of its back, if any, and the values of its
-// parameters; or a mesh. Files by their paths.
+// The things that a part is made of: a drawing, its picture and that of its back, if any, and the values of
+// its parameters; or a mesh. Files by their paths.
 struct PartSource
 {
   std::string drawing, picture, back, mesh;

@@ -290,7 +290,7 @@ vtkSmartPointer<vtkPolyData> ofFirstView(vtkPolyData* strokes)
   return kept;
 }
 
-// What a picture of a system shows in lines: what it took hold of, and the strokes.
+// The lines that a picture of a system shows: what it took hold of, and the strokes.
 std::vector<Ink> inkOf(const SystemRow& row,
   vtkOversketchSystem* system,
   vtkPolyData* strokes,

@@ -1,4 +1,4 @@
-// What --picture draws.
+// The picture that --picture draws.
 #ifndef oversketch_applications_command_picture_h
 #define oversketch_applications_command_picture_h
 

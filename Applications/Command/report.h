@@ -1,4 +1,4 @@
-// What --report writes.
+// The report that --report writes.
 #ifndef oversketch_applications_command_report_h
 #define oversketch_applications_command_report_h
 

@@ -37,7 +37,7 @@ using namespace oversketch_session;
 namespace
 {
 
-// What a step puts out beside its first output, null where that is no image.
+// An image that a step puts out beside its first output, null where that is no image.
 vtkImageData* innerImage(vtkOversketchSystem* system, const char* stage)
 {
   vtkAlgorithm* step = system->GetStep(stage);
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkPolyData> lineOf(const std::vector<std::array<double, 2>>& pl
   return line;
 }
 
-// What phrases add to texts, with shares of the mesh's size as lengths.
+// Adds phrases to texts, with shares of the mesh's size as lengths.
 void addPhrases(const Options& options, vtkPolyData* mesh, Values& values)
 {
   for (const Options::Added& added : options.added)
@@ -204,7 +204,7 @@ vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step)
                                                   : all->GetOutput();
 }
 
-// What strokes say themselves holds for them, whatever an option says.
+// An array that strokes have themselves holds for them, whatever an option says.
 void tellUnused(const Options& options, const std::string& path, vtkPolyData* lines)
 {
   for (const Parameter& parameter : options.system->parameters)

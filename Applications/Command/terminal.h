@@ -1,4 +1,4 @@
-// What the command tells its user while it works, and the interrupt.
+// Words that the command tells its user while it works, and the interrupt.
 #ifndef oversketch_applications_command_terminal_h
 #define oversketch_applications_command_terminal_h
 

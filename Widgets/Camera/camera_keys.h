@@ -13,7 +13,7 @@ class vtkTextActor;
 namespace oversketch
 {
 
-// What a key does to the camera, in steps.
+// A move of the camera by a key, in steps.
 struct CameraAction
 {
   enum Kind
@@ -34,11 +34,12 @@ struct CameraAction
   int sign = 1, axis = 0;
 };
 
-// What a key does, by its X11 symbol and the state of Shift, never by the case of a letter: with Caps Lock a
-// plain key gives a capital, and Shift with a digit gives another symbol on each layout.
+// The action of a key, by its X11 symbol and the state of Shift, never by the case of a letter: with Caps
+// Lock a plain key gives a capital, and Shift with a digit gives another symbol on each layout.
 CameraAction cameraAction(const std::string& keySymbol, bool shift);
 
-// What is shown on screen: the mode, and a line for each drag and key; at most 26 lines of 58 characters.
+// The text that is shown on screen: the mode, and a line for each drag and key; at most 26 lines of 58
+// characters.
 std::string cameraHelp(bool drawing);
 
 // The list in a corner of a renderer, over what is drawn there.

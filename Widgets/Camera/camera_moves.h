@@ -1,4 +1,4 @@
-// What drags, gestures and keys do to a camera.
+// Moves of a camera by drags, gestures and keys.
 #ifndef oversketch_widgets_camera_camera_moves_h
 #define oversketch_widgets_camera_camera_moves_h
 

@@ -21,8 +21,8 @@ struct OVERSKETCHWIDGETSCAMERA_EXPORT CameraState
 {
   Eigen::Vector3d position, focal, up;
   double angle = 30.0, scale = 1.0;
-  // Of the picture in what the eye sees, as vtkCamera::WindowCenter: a zoom at the cursor moves it, not the
-  // eye, so that what is seen in its own view alone (pictures, strokes) stays.
+  // Place of the picture in what the eye sees, as vtkCamera::WindowCenter: a zoom at the cursor moves it, not
+  // the eye, so that what is seen in its own view alone (pictures, strokes) stays.
   Eigen::Vector2d centre;
 
   explicit CameraState(vtkCamera* camera);

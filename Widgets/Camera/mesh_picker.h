@@ -25,7 +25,7 @@ public:
   // The visible point at a display position [px], null where there is nothing. Meshes that the picker would
   // walk through cell by cell get a locator, which is kept while their actor shows them.
   const double* pick(int x, int y, vtkRenderer* renderer);
-  // What is seen there.
+  // The actor that is seen there.
   vtkActor* actorAt(int x, int y, vtkRenderer* renderer);
 
 private:

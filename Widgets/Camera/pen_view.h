@@ -20,14 +20,14 @@ struct OVERSKETCHWIDGETSCAMERA_EXPORT PenView
   std::array<int, 2> size{};                   // px
 
   static PenView of(vtkRenderer* renderer);
-  // Of a stroke that carries its view. Throws Error for others.
+  // The view of a stroke that carries it. Throws Error for others.
   static PenView of(vtkPolyData* stroke);
   // Throws Error for matrices that make no view.
   View kernelView() const;
   std::optional<View> sight() const; // absent for those
-  // The same to the eye: a camera that was turned away and back differs by rounding.
+  // Whether it is the same to the eye: a camera that was turned away and back differs by rounding.
   bool operator==(const PenView& other) const;
-  // The same eye and direction, whatever the zoom and the size of the window.
+  // Whether eye and direction are the same, whatever the zoom and the size of the window.
   bool fromTheSamePlace(const PenView& other) const;
   // Puts the renderer's camera where the view was seen from (CameraState::fit where the renderer has another
   // size).

@@ -159,7 +159,7 @@ struct vtkOversketchInteractorStyle::Internals
   void updateKeyList();
 
   bool swallowChar(vtkObject*, unsigned long, void*) { return this->action().kind != CameraAction::None; }
-  // What the key in the interactor means.
+  // The meaning of the key in the interactor.
   CameraAction action() const
   {
     vtkRenderWindowInteractor* keys = this->interactor();

@@ -1,4 +1,4 @@
-// What the widgets listen to: a hand with a mouse and a keyboard.
+// Events that the widgets listen to: a hand with a mouse and a keyboard.
 #ifndef oversketch_widgets_camera_widget_events_h
 #define oversketch_widgets_camera_widget_events_h
 

@@ -15,7 +15,7 @@ void lookAtCanvas(vtkRenderer* renderer, const Canvas& canvas);
 // The place of the plane z = 0 under a position of the window [px].
 Vector2 placeUnder(vtkRenderer* renderer, const Vector2& position);
 
-// What is seen at one position comes to another one.
+// Moves what is seen at one position to another one.
 void pan(vtkRenderer* renderer, const Vector2& from, const Vector2& to);
 
 // `factor` times as large, the place under the position stays there; F' = c + (F - c) s' / s. Between a

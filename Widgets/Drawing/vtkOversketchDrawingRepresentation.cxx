@@ -57,7 +57,7 @@ constexpr Colour faultColour = { 250, 140, 20, 255 };
 constexpr double ringShare = 0.02; // of the canvas, the radius of the ring about a fault
 constexpr int checksAcross = 32;   // of the longer side
 
-// Of the proportions of a canvas.
+// A picture with the proportions of a canvas.
 vtkSmartPointer<vtkImageData> checkerboard(double width, double height)
 {
   const double longest = std::max(width, height);

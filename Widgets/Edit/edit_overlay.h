@@ -1,6 +1,6 @@
-// What is drawn over a renderer's picture: lines, discs and plain shapes of any width and colour, in the
-// order that they come in. Lines of the graphics library are of one width each, and of some drivers of one
-// pixel.
+// Shapes that are drawn over a renderer's picture: lines, discs and plain shapes of any width and colour, in
+// the order that they come in. Lines of the graphics library are of one width each, and of some drivers of
+// one pixel.
 #ifndef oversketch_widgets_edit_edit_overlay_h
 #define oversketch_widgets_edit_edit_overlay_h
 

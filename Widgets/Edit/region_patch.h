@@ -35,9 +35,9 @@ inline PatchSide patchSide(int side)
 class RegionPatch
 {
 public:
-  // Of a mesh with point arrays DiscCoords and CurveDistance (vtkOversketchDistanceField): the triangles all
-  // of whose corners are in the disc, and that are the region's by cell array EditRegion where there is one.
-  // Throws Error(MissingArray), Error(BadRegion) where there is none.
+  // Takes, of a mesh with point arrays DiscCoords and CurveDistance (vtkOversketchDistanceField): the
+  // triangles all of whose corners are in the disc, and that are the region's by cell array EditRegion where
+  // there is one. Throws Error(MissingArray), Error(BadRegion) where there is none.
   explicit RegionPatch(vtkPolyData* mesh);
 
   // True for the mesh that it is of, and for one with other places alone, which it takes.
@@ -47,7 +47,7 @@ public:
   // Share of the way from the line, 0, to the ring, 1, of each vertex.
   const std::vector<double>& shares() const { return this->Shares; }
 
-  // What is seen first at a place of the picture [px].
+  // The point that is seen first at a place of the picture [px].
   SurfaceHit under(PatchSide side, const View& view, const Vector2& place) const;
   double shareAt(const SurfacePoint& at) const;
   Vector2 discAt(const SurfacePoint& at) const;

@@ -219,7 +219,7 @@ void vtkOversketchEditWidget::Begin()
   this->Say("");
 }
 
-// What the hand has made, as the system takes it.
+// Reads what the hand has made, as the system takes it.
 void vtkOversketchEditWidget::ReadHand()
 {
   Internals& inner = *this->Inner;
@@ -286,7 +286,7 @@ void vtkOversketchEditWidget::Run()
     if (inner.region->HasReference())
     {
       this->Connect();
-      message = inner.edit->Prepare() ? Message() : ranTold(inner.edit).second; // it may be none already
+      message = inner.edit->Prepare() ? Message() : runAndReport(inner.edit).second; // it may be none already
     }
   }
   this->FeedWidgets();
@@ -322,7 +322,7 @@ void vtkOversketchEditWidget::FeedWidgets()
     inner.planes->SetRegion(mesh, curve(1), curve(2));
     inner.disc.setRegion(mesh);
   }
-  // What is seen on the model is where the edit has taken it, with its new triangles.
+  // Lines that are seen on the model are where the edit has taken it, with its new triangles.
   inner.planes->ShowSectionOn(inner.acted() ? inner.moved() : nullptr);
   const bool isNew =
     inner.acted() && inner.edit->GetMovedPoints() > 0 && inner.edit->GetRule() != vtkOversketchEdit::Off;
@@ -345,7 +345,7 @@ void vtkOversketchEditWidget::FeedWidgets()
     this->RegionInAllModes && inner.acted() && inner.edit->GetMovedPoints() > 0);
   if (inner.acted())
   {
-    // What redraws the line is drawn over it where it was.
+    // A stroke that redraws the line is drawn over it where it was.
     inner.region->ShowCurves(
       this->RegionInAllModes ? nullptr : inner.edit->GetReferenceOutput(), inner.edit->GetBoundaryOutput());
   }

@@ -129,12 +129,12 @@ bool vtkOversketchProfilePlaneWidget::Cut()
   if (inner.mesh->GetNumberOfPoints() > 0)
   {
     inner.planes->SetT(this->ProfileAt);
-    const auto [placed, aboutPlanes] = ranTold(inner.planes);
+    const auto [placed, aboutPlanes] = runAndReport(inner.planes);
     message = aboutPlanes;
     if (placed)
     {
       planes = inner.planes->GetOutput();
-      const auto [cut, aboutSection] = ranTold(inner.section);
+      const auto [cut, aboutSection] = runAndReport(inner.section);
       message = aboutSection.empty() ? message : aboutSection;
       if (cut)
       {

@@ -63,7 +63,7 @@ Message HostedSystem::run(const std::function<void(const Message&)>& warned)
 {
   this->System->Modified(); // what ran before may have had another mesh in the same data object
   Message message;
-  std::tie(this->Acted, message) = ranTold(this->System, warned);
+  std::tie(this->Acted, message) = runAndReport(this->System, warned);
   this->Output->ShallowCopy(this->Acted ? this->System->GetOutput() : this->Base.Get());
   this->look();
   return message;
@@ -107,7 +107,7 @@ void HostedSystem::stopWatching()
   }
 }
 
-std::pair<bool, Message> ranTold(vtkAlgorithm* system, const std::function<void(const Message&)>& warned)
+std::pair<bool, Message> runAndReport(vtkAlgorithm* system, const std::function<void(const Message&)>& warned)
 {
   Message said;
   try

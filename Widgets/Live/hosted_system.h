@@ -85,8 +85,9 @@ private:
   unsigned long WatchTag = 0;
 };
 
-// Runs it. Whether that went well, and what it said: the error, else the last warning, which are not printed.
-OVERSKETCHWIDGETSLIVE_EXPORT std::pair<bool, Message> ranTold(vtkAlgorithm* system,
+// Runs it and returns whether that went well, and what it said: the error, else the last warning, which are
+// not printed.
+OVERSKETCHWIDGETSLIVE_EXPORT std::pair<bool, Message> runAndReport(vtkAlgorithm* system,
   const std::function<void(const Message&)>& warned = nullptr);
 
 } // namespace oversketch

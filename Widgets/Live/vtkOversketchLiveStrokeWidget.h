@@ -121,7 +121,7 @@ protected:
   // Shows on the pen what a stroke would do to a mesh. A stroke of one sample makes ready what does not
   // depend on the stroke, and a null mesh takes away what was shown.
   virtual void Look(vtkPolyData* mesh, vtkPolyData* stroke);
-  // The same with the next frame for the stroke that is drawn, or where LooksWhileMoving moved, by now.
+  // Looks with the next frame for the stroke that is drawn, or where LooksWhileMoving moved, by now.
   void LookAgain() { this->Extended = true; }
   virtual bool LooksWhileMoving() const { return false; }
 

@@ -28,7 +28,7 @@ struct PenStroke
   // This stroke with the part that `over` was drawn over replaced.
   PenStroke resketched(const PenStroke& over) const;
   void putInto(vtkPolyData* polyData) const;
-  // Of a polydata that holds one stroke with its view; without Pressure it is 1, without Time or Moved 0.
+  // Reads a polydata that holds one stroke with its view; without Pressure it is 1, without Time or Moved 0.
   // Throws Error for others.
   static PenStroke of(vtkPolyData* polyData);
 };

@@ -49,7 +49,7 @@ struct vtkOversketchStrokeRepresentation::Internals
   bool over = false;                // the pen draws over it
   bool sectionFollows = false;      // the section is what is drawn
   oversketch::LastFrame frame;
-  // What the window's last frame shows: its size, and whether the stroke drawn last is in it.
+  // State of the window's last frame: its size, and whether the stroke drawn last is in it.
   std::array<int, 2> shownSize{ 0, 0 };
   bool strokeShown = false;
 

@@ -55,7 +55,7 @@ std::string textOf(const KeptOf& of)
   return Json::writeString(Json::StreamWriterBuilder(), json);
 }
 
-// Of what an older program left it is not known, and after a crash meanwhile there may be two.
+// Nothing is known of what an older program left, and after a crash meanwhile there may be two.
 KeptOf aboutIn(const std::string& folder)
 {
   KeptOf found;

@@ -20,7 +20,8 @@ namespace oversketch_session
 // Where autosaves go: $XDG_STATE_HOME/oversketch/autosave, else ~/.local/state/oversketch/autosave.
 std::string autosaveRoot();
 
-// What an autosave is of: the session's own file, empty before it has one, and whether anything is not in it.
+// The origin of an autosave: the session's own file, empty before it has one, and whether anything is not in
+// it.
 struct KeptOf
 {
   std::string path;

@@ -37,7 +37,7 @@ public:
   JsonReader object(const std::string& name) const;
   std::vector<std::string> names() const { return this->Object.getMemberNames(); }
 
-  // What is wrong with a member, as an exception to throw.
+  // Throws what is wrong with a member.
   [[noreturn]] void refuse(const std::string& name, const std::string& what) const;
   const std::string& where() const { return this->Where; }
 

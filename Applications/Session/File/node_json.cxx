@@ -85,7 +85,7 @@ Input inputOf(const JsonReader& json, SystemInput::Kind kind, EntryReader& entri
   return entries.lines(json.text("lines"));
 }
 
-// What both versions tell of a step alike.
+// Writes what both versions tell of a step alike.
 void putCommon(Json::Value& json, const Node& node)
 {
   json["name"] = node.name;

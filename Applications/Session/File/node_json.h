@@ -54,7 +54,7 @@ public:
   Lines lines(const std::string& entry);
   // The bytes of a picture that can be read.
   const std::shared_ptr<const std::string>& picture(const std::string& entry);
-  // The same of a grid of heights.
+  // The bytes of a grid of heights that can be read.
   const std::shared_ptr<const std::string>& heights(const std::string& entry);
 
 private:

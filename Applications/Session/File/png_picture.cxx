@@ -44,7 +44,7 @@ struct Strip
   bool done = false;
 };
 
-// Of rows from the top, begin to end; the first has the header of the stream.
+// Packs rows from the top, begin to end; the first has the header of the stream.
 void pack(const std::uint8_t* samples,
   std::size_t width,
   std::size_t colours,

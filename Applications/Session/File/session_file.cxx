@@ -200,7 +200,7 @@ Package Encoder::encode(const SessionFile& file)
       });
   };
   const bool isFirst = isVersion1(session, systems());
-  // What every model has.
+  // Members that every model has.
   const auto jsonOfModel = [&](const Model& model, const Record& record)
   {
     Json::Value json;
@@ -334,7 +334,7 @@ void addTexts(const Json::Value& value, std::set<std::string>& texts)
   }
 }
 
-// What such words quote of a damaged text may be anything.
+// Such words may quote anything of a damaged text.
 template <typename Work>
 auto inPlainWords(const Work& work)
 {
@@ -366,7 +366,7 @@ SessionFile decodeAny(const Package& package, const std::string& path, const std
   SessionFile file;
   Session& session = file.session;
   EntryReader entries(package, path);
-  // What every model has.
+  // Members that every model has.
   const auto modelOf = [&](const JsonReader& from, Model& model)
   {
     if (version == 1 || from.has("mesh"))

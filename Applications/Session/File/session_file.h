@@ -16,7 +16,7 @@
 namespace oversketch_session
 {
 
-// What a result's bits depend on besides the session.
+// The things that a result's bits depend on besides the session.
 struct Origin
 {
   std::string version;   // of Oversketch
@@ -25,17 +25,18 @@ struct Origin
   std::string processor; // of the machine
 };
 
-// Of this program on this machine, for results that ran on that backend (vtkOversketchSystem::BackendType).
+// Those of this program on this machine, for results that ran on that backend
+// (vtkOversketchSystem::BackendType).
 Origin originHere(int backendUsed);
 
-// What differs between two, in words for the user; empty when nothing does.
+// Says what differs between two, in words for the user; empty when nothing does.
 std::vector<std::string> differences(const Origin& recorded, const Origin& here);
 
-// What a model's steps made, as it was saved.
+// The result of a model's steps, as it was saved.
 struct Record
 {
   Origin origin;
-  // Of the mesh: see digestOf. Empty when it was saved before the first result.
+  // Digest of the mesh: see digestOf. Empty when it was saved before the first result.
   std::string digest;
 };
 
@@ -46,7 +47,7 @@ struct SessionFile
   std::string digest;
   // As it was saved; absent where nobody looked, and of programs that did not keep it.
   std::optional<Look> look = {};
-  // Of the other models of the scene, in their order; absent where nothing is known.
+  // Results of the other models of the scene, in their order; absent where nothing is known.
   std::vector<Record> others = {};
 };
 

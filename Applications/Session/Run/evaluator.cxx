@@ -104,7 +104,7 @@ struct Evaluator::Runner
 
   std::unique_ptr<SystemRunner> steps;
   std::uint64_t last = 0; // the number of the last outcome, 0 where it did nothing
-  // What is prepared for a mesh, where that is not to take the place of what the last step computed.
+  // A runner that is prepared for a mesh, where that is not to take the place of what the last step computed.
   std::unique_ptr<SystemRunner> prepared;
   vtkSmartPointer<vtkPolyData> preparedFor;
   // Takes it up where a step is given that mesh.
@@ -198,7 +198,7 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
     }
     else if (const auto* lines = std::get_if<Lines>(&given->second))
     {
-      // The same ones as last time are the same data, so that the steps keep what they made of them.
+      // Lines that are those of last time are the same data, so that the steps keep what they made of them.
       auto& [identity, data] = this->runner(step.system)->lines[input.name];
       if (!data || identity.owner_before(lines->identity()) || lines->identity().owner_before(identity))
       {
@@ -218,22 +218,22 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
     else
     {
       const StepOutput& output = std::get<StepOutput>(given->second);
-      const auto node =
-        std::find_if(nodes.begin(), nodes.end(), [&](const Node& one) { return one.id == output.step; });
-      if (node == nodes.end())
+      const int row = rowOf(nodes, output.step);
+      if (row < 0)
       {
         return what + "is of a step that is no longer there";
       }
-      const std::string whose = what + "is of '" + node->name + "', which ";
-      const auto at = static_cast<std::size_t>(node - nodes.begin());
+      const auto at = static_cast<std::size_t>(row);
+      const Node& node = nodes[at];
+      const std::string whose = what + "is of '" + node.name + "', which ";
       if (at >= run.index())
       {
         return whose + (at == run.index() ? "is itself" : "comes after it");
       }
       const Outcome& outcome = run.outcomes[at];
-      if (!node->on || !outcome.failure.empty())
+      if (!node.on || !outcome.failure.empty())
       {
-        return whose + (node->on ? "did nothing" : "is off");
+        return whose + (node.on ? "did nothing" : "is off");
       }
       const auto port = outcome.outputs.find(output.port);
       if (output.port != 0 && port == outcome.outputs.end())
@@ -372,12 +372,9 @@ bool Evaluator::run(const Model& model, const Watch& watch, std::vector<Outcome>
   this->forget();
   ++this->RunCount;
   Run run{ model, watch, outcomes, portsOf(model) };
-  const auto isThere = [&model](const auto& isIt)
-  { return std::any_of(model.nodes.begin(), model.nodes.end(), isIt); };
   for (auto it = this->Parts.begin(); it != this->Parts.end();)
   {
-    const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
-    it = isThere(isIt) ? std::next(it) : this->Parts.erase(it);
+    it = rowOf(model.nodes, it->first) >= 0 ? std::next(it) : this->Parts.erase(it);
   }
   run.mesh = model.mesh ? this->numberOf({ model.mesh.identity(), {}, 0 }) : 0;
   vtkSmartPointer<vtkPolyData> mesh = model.mesh.own();

@@ -49,7 +49,7 @@ public:
   // same bits, whatever is kept. Returns false when it was cancelled: outcomes are those of the nodes before.
   bool run(const Model& model, const Watch& watch, std::vector<Outcome>& outcomes);
 
-  // What comes after the meshes: fills in the details of those outcomes of the last run that acted. Where the
+  // Fills in after the meshes the details of those outcomes of the last run that acted. Where the
   // run was not watched for them, only of the last that each system ran. Returns false when it was cancelled:
   // some are missing, and come with the next call for this model.
   bool details(std::vector<Outcome>& outcomes, const Watch& watch);
@@ -69,7 +69,7 @@ public:
   vtkOversketchSystem* system(const std::string& name);
 
 private:
-  // What an outcome depends on. Numbers are those of outcomes.
+  // The things that an outcome depends on. Numbers are those of outcomes.
   struct Place
   {
     std::weak_ptr<const void> made;    // the step, or the mesh that was opened; nobody makes one twice
@@ -89,7 +89,7 @@ private:
   struct Run;
   // Who runs a system's steps, and whose outcome its last one is.
   struct Runner;
-  // What the step of a part made, before it was put at its place.
+  // The mesh that the step of a part made, before it was put at its place.
   struct UnplacedPart
   {
     Step step;
@@ -106,13 +106,13 @@ private:
   bool runNode(Run& run);
   // Runs the node's step and fills in its outcome. False when cancelled.
   bool make(Run& run);
-  // The same of a part, beside the mesh that came. What was made of the same drawing is not made again when
+  // Makes that of a part, beside the mesh that came. What was made of the same drawing is not made again when
   // the part is put elsewhere or that mesh changes.
   bool makePart(Run& run);
   // Why the node's step cannot be run, or empty, with its inputs, and the numbers of the outcomes that they
   // are.
   std::string resolve(Run& run, std::vector<std::uint64_t>& numbers);
-  // Of the last that it ran, where they are missing; false when cancelled.
+  // Makes the details of the last that it ran, where they are missing; false when cancelled.
   bool finish(Runner& runner, const std::function<bool()>& cancelled);
   vtkSmartPointer<vtkImageData> imageOf(const Image& image, SystemInput::Kind kind);
 

@@ -24,17 +24,18 @@ bool sameCells(vtkPolyData* a, vtkPolyData* b);
 class MirrorImage
 {
 public:
-  // Of a mesh, or of curves. Points are double; polygons are turned round, so that they face outward; active
-  // normals are reflected, other arrays are as they are. Where the mesh has a point, or a triangle, in the
-  // very place of an image's, the image has its number (and the triangle begins where the other one does).
-  // What is the same on both sides is so worked on in the same order, which greedy steps such as
-  // vtkOversketchSnake show in the fourth digit.
+  // Reflects a mesh, or curves. Points are double; polygons are turned round, so that they face outward;
+  // active normals are reflected, other arrays are as they are. Where the mesh has a point, or a triangle, in
+  // the very place of an image's, the image has its number (and the triangle begins where the other one
+  // does). Parts that are the same on both sides are so worked on in the same order, which greedy steps such
+  // as vtkOversketchSnake show in the fourth digit.
   MirrorImage(vtkPolyData* mesh, const MirrorPlane& plane);
 
   vtkPolyData* get() const { return this->Image; }
 
-  // What was made of the image, as it is in front of the mirror, with points of the mesh's type. What has the
-  // image's polygons gets the numbers of the mesh. Points where the image had one are the mesh's, to the bit.
+  // Shows what was made of the image, as it is in front of the mirror, with points of the mesh's type. What
+  // has the image's polygons gets the numbers of the mesh. Points where the image had one are the mesh's, to
+  // the bit.
   vtkSmartPointer<vtkPolyData> back(vtkPolyData* made) const;
   std::shared_ptr<const Details> back(vtkPolyData* made, const Details& details) const;
 

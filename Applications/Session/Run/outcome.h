@@ -1,4 +1,4 @@
-// What a step of a session made.
+// The outcome of a step of a session.
 #ifndef oversketch_applications_session_run_outcome_h
 #define oversketch_applications_session_run_outcome_h
 
@@ -28,7 +28,7 @@ struct Following
   std::vector<std::array<float, 9>> moves;
 };
 
-// What an interface shows of a step besides its mesh.
+// The things that an interface shows of a step besides its mesh.
 struct Details
 {
   vtkSmartPointer<vtkPolyData> region;        // the part of the mesh that it moved, as a mesh of its own

@@ -1,4 +1,4 @@
-// What a model wears of the picture that it was drawn over.
+// The skin that a model wears of the picture that it was drawn over.
 #ifndef oversketch_applications_session_run_picture_skin_h
 #define oversketch_applications_session_run_picture_skin_h
 

@@ -23,8 +23,8 @@ namespace oversketch_session
 class SectionFinder
 {
 public:
-  // What the system's Preview gives, bit for bit, with its back end Host; empty where there is nothing to
-  // take hold of.
+  // The section that the system's Preview gives, bit for bit, with its back end Host; empty where there is
+  // nothing to take hold of.
   struct Found
   {
     std::uint64_t ticket = 0;

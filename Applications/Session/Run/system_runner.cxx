@@ -25,8 +25,8 @@ namespace oversketch_session
 namespace
 {
 
-// Of a step with a mirror plane: what is done when it is known whether points have partners, when the side
-// that was drawn on is done, and when the other one is found to need another run.
+// Shares of the progress of a step with a mirror plane: what is done when it is known whether points have
+// partners, when the side that was drawn on is done, and when the other one is found to need another run.
 constexpr double oneSide = 0.5, twoSides = 0.6, lastSide = 0.8;
 
 double between(const Point& a, const Point& b)
@@ -348,7 +348,7 @@ bool SystemRunner::runImage(const Task& task, const MirrorImage& image, Outcome&
   {
     const auto given = inputs.find(input.name);
     vtkPolyData* data = given == inputs.end() ? nullptr : vtkPolyData::SafeDownCast(given->second);
-    // What an earlier step put out lies on the mesh, whatever else the input may be.
+    // The output of an earlier step lies on the mesh, whatever else the input may be.
     const bool isInWorld = input.kind == SystemInput::Kind::Mesh || input.kind == SystemInput::Kind::Curves ||
                            (data && data->GetPointData()->HasArray("VertexId"));
     if (&input == changed)
@@ -468,7 +468,7 @@ void SystemRunner::prepare(vtkPolyData* mesh, int backend, const Listener& liste
   this->System->SetBackend(backend);
   try
   {
-    // What keeps it from preparing, the next run tells.
+    // The next run tells what keeps it from preparing.
     failureOf(this->System, listenerOf(this->System, listener), [this] { this->System->Prepare(); });
   }
   catch (const oversketch::Error&)

@@ -33,7 +33,7 @@ public:
   SystemRunner(const SystemRunner&) = delete;
   SystemRunner& operator=(const SystemRunner&) = delete;
 
-  // What the row's inputs hold, by their names.
+  // Data of the row's inputs, by their names.
   using Data = std::map<std::string, vtkSmartPointer<vtkDataObject>>;
 
   // Runs a step. Fills in mesh or failure, place, those output ports and back end of the outcome, whose mesh
@@ -86,11 +86,11 @@ private:
     const std::set<int>& ports;
     const Listener& listener;
   };
-  // Of the side that was drawn on alone, with those values. False when cancelled, as the others.
+  // Runs the side that was drawn on alone, with those values. False when cancelled, as the others.
   bool runOnce(const Task& task, const Values& values, double from, double to, Outcome& outcome);
   bool runTwice(const Task& task, Outcome& outcome);
   bool runReflected(const Task& task, Outcome& outcome);
-  // Of the mesh's image in the mirror.
+  // Runs the mesh's image in the mirror.
   bool runImage(const Task& task, const MirrorImage& image, Outcome& outcome);
   // Gives the outcome's mesh the other side by points' partners; false where they have none.
   bool followPartners(const Task& task, Outcome& outcome);
@@ -100,7 +100,8 @@ private:
 
   const SystemRow& Row;
   vtkSmartPointer<vtkOversketchSystem> System;
-  // Of the last step: what points follow their partners by, or what either side made; at most one of both.
+  // Memory of the last step: what points follow their partners by, or what either side made; at most one of
+  // both.
   vtkSmartPointer<vtkOversketchMirror> Mirror;
   struct TwoSides;
   std::unique_ptr<TwoSides> Sides;

@@ -36,7 +36,7 @@ bool isSamePlace(const std::optional<Section>& drawn,
 // "mirrored to x < 0", of what was drawn on the other side.
 std::string mirroredTo(const std::optional<Section>& drawn, const MirrorPlane& plane);
 
-// What was made on one side: a mesh with all its points, those of the other side in any place.
+// The result on one side: a mesh with all its points, those of the other side in any place.
 struct Side
 {
   vtkSmartPointer<vtkPolyData> mesh;

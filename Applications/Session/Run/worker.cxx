@@ -55,7 +55,7 @@ const SystemRow* nextOf(const Model& model)
   return findSystem(model.nodes.back().step->system);
 }
 
-// What a step takes of other steps, as copies.
+// Copies what a step takes of other steps.
 std::map<std::string, SharedData> givenTo(const Model& model,
   const std::vector<Outcome>& outcomes,
   std::size_t at)
@@ -64,14 +64,16 @@ std::map<std::string, SharedData> givenTo(const Model& model,
   for (const auto& [name, input] : model.nodes[at].step->inputs)
   {
     const auto* of = std::get_if<StepOutput>(&input);
-    for (std::size_t i = 0; of && i < at; ++i)
+    const int row = of ? rowOf(model.nodes, of->step) : -1;
+    if (row < 0 || row >= static_cast<int>(at))
     {
-      const auto output = outcomes[i].outputs.find(of->port);
-      if (model.nodes[i].id == of->step && output != outcomes[i].outputs.end())
-      {
-        vtkPolyData* data = vtkPolyData::SafeDownCast(output->second);
-        given[name] = data ? deepCopyOf(data) : nullptr;
-      }
+      continue;
+    }
+    const auto& outputs = outcomes[static_cast<std::size_t>(row)].outputs;
+    if (const auto output = outputs.find(of->port); output != outputs.end())
+    {
+      vtkPolyData* data = vtkPolyData::SafeDownCast(output->second);
+      given[name] = data ? deepCopyOf(data) : nullptr;
     }
   }
   return given;
@@ -265,7 +267,7 @@ void Worker::runAside(std::uint64_t ticket)
   }
 }
 
-// Of a mesh that is the last one, to the bit, what was made of it is still there.
+// Keeps what was made of a mesh that is the last one, to the bit.
 void Worker::show(vtkPolyData* mesh, Result& result)
 {
   if (!this->Shown || !isShallowCopy(mesh, this->Shown))

@@ -25,7 +25,7 @@ namespace oversketch_session
 class Worker
 {
 public:
-  // What one node did, for the history.
+  // The deeds of one node, for the history.
   struct NodeState
   {
     SharedData before;                       // the mesh that comes to it; null where there is none
@@ -34,15 +34,15 @@ public:
     std::optional<Section> section;
     SharedData hold; // the place itself, a polyline; null where it did nothing
     bool elsewhere = false;
-    // What it moved, and how that follows while the stroke is moved by hand; null where it did nothing, and
-    // before the details have come.
+    // The part that it moved, and how that follows while the stroke is moved by hand; null where it did
+    // nothing, and before the details have come.
     SharedData region;
     std::shared_ptr<const Following> following;
     double share = 0.0; // of the points of its mesh that it moved
     // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
     std::shared_ptr<const Thumbnail> picture;
   };
-  // What a model made. The worker goes on with the meshes' points and cells, and changes none.
+  // The result of a model. The worker goes on with the meshes' points and cells, and changes none.
   struct Result
   {
     std::uint64_t ticket = 0;
@@ -53,7 +53,7 @@ public:
     int backendUsed = 0;  // vtkOversketchSystem::BackendType
     double seconds = 0.0; // that the run took
   };
-  // What comes after it, while the mesh is being shown.
+  // The details that come after it, while the mesh is being shown.
   struct Details
   {
     std::uint64_t ticket = 0;
@@ -91,8 +91,8 @@ public:
   void seen(std::uint64_t ticket);
   // Stops what runs or waits, if anything does.
   void cancel();
-  // Of more triangles than these a step's work is not kept for a stroke over the same place, which then makes
-  // it anew: it takes some 400 bytes each. For the next model; 500,000 by default.
+  // Sets the number of triangles above which a step's work is not kept for a stroke over the same place,
+  // which then makes it anew: it takes some 400 bytes each. For the next model; 500,000 by default.
   void keepWorkUpTo(vtkIdType triangles) { this->MostKept = triangles; }
   // Makes the mesh of another model, once nothing else is to be done, and nothing more: of the steps of the
   // last one it is there. The newest such asking wins, and what is submitted before it.
@@ -104,9 +104,9 @@ private:
   void runAside(std::uint64_t ticket);
   // Fills in both meshes.
   void show(vtkPolyData* mesh, Result& result);
-  // What the outcomes are, as copies; of those that were copied for the last model the same ones.
+  // Copies the outcomes; of those that were copied for the last model the same ones.
   std::vector<NodeState> statesOf(const Model& model, const std::vector<Outcome>& outcomes);
-  // What is shown of the steps beside the mesh, until something else is to be done.
+  // Makes what is shown of the steps beside the mesh, until something else is to be done.
   void trace(std::uint64_t ticket,
     const Model& model,
     const std::vector<Outcome>& outcomes,

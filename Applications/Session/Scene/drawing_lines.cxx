@@ -56,10 +56,15 @@ std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing)
   return strokes;
 }
 
+std::vector<DrawnStroke> strokesOf(const Step& step)
+{
+  return step.system == drawingSystem ? strokesOf(linesOf(step, strokesInput)) : std::vector<DrawnStroke>();
+}
+
 namespace
 {
 
-// What a stroke says of itself, and what it is without the array.
+// Arrays in which a stroke says what it is, and their values where it has none.
 constexpr struct
 {
   const char* name;

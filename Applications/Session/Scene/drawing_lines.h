@@ -23,11 +23,14 @@ struct DrawnStroke
 
 // In their order; none where the data are no polylines. Which are on is cell array On, absent where all are.
 std::vector<DrawnStroke> strokesOf(vtkPolyData* drawing);
+// Those of a step; none of one that is no drawing.
+std::vector<DrawnStroke> strokesOf(const Step& step);
 
 // The other way, with the field arrays of another drawing.
 vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, vtkPolyData* like);
 
-// What a system gets: the strokes that are on, without the array. Data without the array are handed back.
+// The drawing that a system gets: the strokes that are on, without the array. Data without the array are
+// handed back.
 vtkSmartPointer<vtkPolyData> strokesThatAreOn(vtkPolyData* drawing);
 
 // 0 fill, 1 hole, 2 tunnel.
@@ -37,15 +40,15 @@ int treatmentOf(vtkPolyData* line);
 // an empty canvas of that size. Throws oversketch_files::Failed for what is no picture.
 std::shared_ptr<const Step> drawingOver(const Image& picture);
 std::shared_ptr<const Step> drawingOn(double width, double height);
-// The same over a picture, as a part of its size, in its own units, about a place.
+// A step over a picture, as a part of its size, in its own units, about a place.
 std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place);
 
 // The picture that a step's drawing is over; null where it is over none.
 const Image* pictureUnder(const Step& step);
-// What a step's drawing is drawn on: left, bottom, right, top; zeros where nothing tells.
+// The canvas that a step's drawing is drawn on: left, bottom, right, top; zeros where nothing tells.
 std::array<double, 4> canvasOf(const Step& step);
 
-// The same step with another drawing.
+// A copy of a step with another drawing.
 Step withDrawing(const Step& step, vtkPolyData* drawing);
 
 extern const char* const drawingSystem; // "InflateDrawing"

@@ -23,11 +23,11 @@ public:
   const Session& now() const { return this->Now; }
   bool canUndo() const { return this->At > 0; }
   bool canRedo() const { return this->At < this->Edits.size(); }
-  // What is now is on the disk. Undo and redo lead away from it and back to it.
+  // The session as it is now is on the disk. Undo and redo lead away from it and back to it.
   void markSaved() { this->SavedAt = this->At; }
   bool isSaved() const { return this->SavedAt == this->At; }
 
-  // What was undone before is given up, as everywhere.
+  // Changes that were undone before are given up, as everywhere.
   void commit(Session next)
   {
     if (this->SavedAt && *this->SavedAt > this->At)
@@ -39,8 +39,8 @@ public:
     this->Now = std::move(next);
     ++this->At;
   }
-  // The last change goes on.
-  void goOn(Session next)
+  // One step of undo with the last change.
+  void mergeIntoLast(Session next)
   {
     if (this->isSaved())
     {

@@ -25,7 +25,7 @@ public:
   vtkSmartPointer<vtkPolyData> own() const;
 
   explicit operator bool() const { return this->Held != nullptr; }
-  // What stays the same while these are the same lines.
+  // An identity that stays the same while these are the same lines.
   std::shared_ptr<const void> identity() const { return this->Held; }
 
 private:

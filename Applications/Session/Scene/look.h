@@ -18,7 +18,7 @@ struct Look
   double height = 1.0;           // half of what is seen where lines of sight are parallel
   bool parallel = false;         // lines of sight are
   std::array<double, 2> shift{}; // of the picture's middle [halves of its width and height]
-  // Of the view that this was in, width and height [px]; none in files of programs before this was kept.
+  // Size of the view that this was in, width and height [px]; none in files of programs before this was kept.
   std::optional<std::array<int, 2>> size;
   int upAxis = 1; // of the world, that the model is turned about: 1 for y, 2 for z
 

@@ -83,6 +83,16 @@ const Model& modelAt(const Session& session, std::size_t place)
   return other ? other->own : session;
 }
 
+int placeOfModel(const Session& session, int id)
+{
+  int place = static_cast<int>(modelCount(session)) - 1;
+  while (place >= 0 && modelAt(session, static_cast<std::size_t>(place)).id != id)
+  {
+    --place;
+  }
+  return place;
+}
+
 void makeResting(Session& session)
 {
   for (auto& other : session.others)

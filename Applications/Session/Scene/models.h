@@ -11,7 +11,7 @@
 namespace oversketch_session
 {
 
-// What the steps of a model made.
+// The things that the steps of a model made.
 struct MadeModel
 {
   SharedData mesh;     // null where they make none
@@ -33,6 +33,8 @@ constexpr std::size_t mostModels = 1000; // in a scene
 std::size_t modelCount(const Session& session);
 // A model by its place in the list of all.
 const Model& modelAt(const Session& session, std::size_t place);
+// The place of a model by its id; -1: it is not there.
+int placeOfModel(const Session& session, int id);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 
@@ -57,7 +59,7 @@ vtkSmartPointer<vtkPolyData> joined(const std::vector<vtkPolyData*>& meshes);
 
 // Whether both have the same points, cells and arrays, not only equal ones.
 bool isShallowCopy(vtkPolyData* a, vtkPolyData* b);
-// The same mesh with polygons of its own: filters of VTK leave in them how far they are, and so do those of
+// Copies a mesh, with polygons of its own: filters of VTK leave in them how far they are, and so do those of
 // whoever shows the mesh meanwhile.
 vtkSmartPointer<vtkPolyData> withOwnPolys(vtkPolyData* mesh);
 

@@ -29,8 +29,8 @@ vtkSmartPointer<vtkPolyData> placedBy(const Eigen::Matrix4d& matrix, vtkPolyData
 // it cannot be put there.
 vtkSmartPointer<vtkPolyData> withPart(vtkPolyData* mesh, vtkPolyData* part, const PartPlace& place);
 
-// What made the parts of the mesh that a model shows, by their numbers (cell array PartId; a mesh without
-// that is one part, 0). Of outcomes of its nodes, or the first of them.
+// Tells what made the parts of the mesh that a model shows, by their numbers (cell array PartId; a mesh
+// without that is one part, 0). Of outcomes of its nodes, or the first of them.
 using PartSources = std::map<int, PartSource>;
 PartSources sourcesOf(const Model& model, const std::vector<Outcome>& outcomes);
 // Which part that is: one of which nothing is known by its number alone.
@@ -38,7 +38,7 @@ PartSource sourceOf(const PartSources& parts, int number);
 // The numbers of those that are hidden. None of a mesh that is one part: the model itself is seen or hidden.
 std::set<int> hiddenOf(const Model& model, const PartSources& parts);
 
-// What is wrong with a place, in words; empty where nothing is.
+// Says what is wrong with a place, in words; empty where nothing is.
 std::string faultOf(const PartPlace& place);
 
 } // namespace oversketch_session

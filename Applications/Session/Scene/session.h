@@ -1,6 +1,5 @@
-// What a person made: models, each the mesh that was opened, if any, and the steps that were taken on it, in
-// order, and pictures. Values: a
-// change is a new Session that shares all that did not change.
+// The work of a person: models, each the mesh that was opened, if any, and the steps that were taken on it,
+// in order, and pictures. Values: a change is a new Session that shares all that did not change.
 #ifndef oversketch_applications_session_scene_session_h
 #define oversketch_applications_session_scene_session_h
 
@@ -96,6 +95,13 @@ struct Session : Model
   // The others, in the order of that list.
   std::vector<std::shared_ptr<const RestingModel>> others;
 };
+
+// The place of a node in a history, by its id; -1: it is not there.
+inline int rowOf(const std::vector<Node>& nodes, int id)
+{
+  const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
+  return node == nodes.end() ? -1 : static_cast<int>(node - nodes.begin());
+}
 
 // The next id: greater than all that the model names, so that nothing refers to a new step by chance.
 inline int freshId(const Model& model)

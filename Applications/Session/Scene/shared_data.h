@@ -16,8 +16,8 @@
 namespace oversketch_session
 {
 
-// The same data with the same points, cells and arrays, for a pipeline that goes on with it: filters make new
-// ones and change none that they have put out.
+// A shallow copy with the same points, cells and arrays, for a pipeline that goes on with it: filters make
+// new ones and change none that they have put out.
 template <typename Data>
 vtkSmartPointer<Data> shallowCopyOf(Data* data)
 {
@@ -58,7 +58,7 @@ public:
   operator vtkPolyData*() const { return this->Get(); }
   vtkPolyData* operator->() const { return this->Get(); }
 
-  // What stays the same while this is the same data.
+  // An identity that stays the same while this is the same data.
   std::shared_ptr<const void> identity() const { return this->Held; }
 
   // A shallow copy, for a pipeline; null where there is nothing.

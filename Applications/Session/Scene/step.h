@@ -15,7 +15,7 @@
 namespace oversketch_session
 {
 
-// Of a parameter of a system.
+// A value of a parameter of a system.
 using Value = std::variant<bool, int, double, std::vector<double>, std::string>;
 // By the class's own names of them ("AdjustNormals").
 using Values = std::map<std::string, Value>;
@@ -27,7 +27,7 @@ struct Image
   std::shared_ptr<const std::string> bytes;
 };
 
-// What an earlier step of the session puts out, whatever that is by now. The id stays with the step while it
+// An output of an earlier step of the session, whatever that is by now. The id stays with the step while it
 // is moved, renamed or given other parameters.
 struct StepOutput
 {
@@ -64,8 +64,8 @@ struct Step
   Values values;                       // where they are not the system's defaults
   std::map<std::string, Input> inputs; // by their names in systems.h; the mesh comes from the step before
   std::optional<MirrorPlane> mirror;   // only of systems whose points can keep their ids
-  // What it makes is put there, beside the mesh of the step before and not in its place; only of systems that
-  // take no mesh.
+  // The place where what it makes is put, beside the mesh of the step before and not in its place; only of
+  // systems that take no mesh.
   std::optional<PartPlace> part;
 };
 

@@ -5,17 +5,6 @@
 namespace oversketch_session
 {
 
-namespace
-{
-
-int placeOf(const std::vector<Node>& nodes, int id)
-{
-  const auto it = std::find_if(nodes.begin(), nodes.end(), [id](const Node& node) { return node.id == id; });
-  return it == nodes.end() ? -1 : static_cast<int>(it - nodes.begin());
-}
-
-} // namespace
-
 std::vector<Node> moved(std::vector<Node> nodes, std::size_t from, std::size_t to)
 {
   const auto at = [&](std::size_t i) { return nodes.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -29,17 +18,17 @@ OrderFault faultOfMove(const Model& model, std::size_t from, std::size_t to)
   const std::vector<Node> after = moved(before, from, to);
   if (!model.mesh && !before.empty() && after.front().id != before.front().id)
   {
-    return { placeOf(before, after.front().id), 0 };
+    return { rowOf(before, after.front().id), 0 };
   }
   for (std::size_t i = 0; i < after.size(); ++i)
   {
     for (const auto& named : after[i].step->inputs)
     {
       const auto* output = std::get_if<StepOutput>(&named.second);
-      const int needed = output ? placeOf(after, output->step) : -1;
-      const int was = output ? placeOf(before, output->step) : -1;
-      const int step = placeOf(before, after[i].id);
-      // Of a model that was read so, what was wrong before is not this move's.
+      const int needed = output ? rowOf(after, output->step) : -1;
+      const int was = output ? rowOf(before, output->step) : -1;
+      const int step = rowOf(before, after[i].id);
+      // A fault that was there before, in a model that was read so, is not this move's.
       if (needed >= static_cast<int>(i) && was < step)
       {
         return { step, was };

@@ -53,7 +53,7 @@ struct Pair
   std::string help;                // a line; ends without a stop
 };
 
-// What a command line adds to a text, any number of times: "--move 0.5,n,3%" for "move 0.5 n 12.7".
+// A text that a command line adds to, any number of times: "--move 0.5,n,3%" for "move 0.5 n 12.7".
 struct Phrase
 {
   std::string word, property; // "move", "Operations"
@@ -117,7 +117,7 @@ struct SystemRow
   bool skin = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
-  // What else the class lets be set, each with the reason why no step holds it.
+  // Other properties that the class lets be set, each with the reason why no step holds it.
   std::map<std::string, std::string> leftOut;
 };
 
@@ -135,7 +135,7 @@ const SystemInput* findInput(const SystemRow& row, SystemInput::Kind kind);
 
 // The words of its choices.
 std::vector<std::string> wordsOf(const Parameter& parameter);
-// What a step's parameter is: its value, or the default.
+// The value of a step's parameter: its own, or the default.
 const Value& valueOf(const Step& step, const Parameter& parameter);
 
 // Why no system of the list can run the step, whatever its inputs hold: the name of the system, of a
@@ -199,7 +199,7 @@ Parameter parameter(const std::string& property,
   return ofStep<T>("", property, setter, getter, word, title, help, std::move(choices));
 }
 
-// The same with what a form offers of a number.
+// Adds what a form offers of a number.
 inline Parameter between(double least, double most, Parameter made)
 {
   made.least = least;
@@ -207,35 +207,35 @@ inline Parameter between(double least, double most, Parameter made)
   return made;
 }
 
-// The same with what a form offers of a text.
+// Adds what a form offers of a text.
 inline Parameter offering(std::vector<Choice> offers, Parameter made)
 {
   made.offers = std::move(offers);
   return made;
 }
 
-// The same of a text that a command line takes from a file.
+// Makes it a text that a command line takes from a file.
 inline Parameter fromFile(Parameter made)
 {
   made.isFile = true;
   return made;
 }
 
-// The same of a text that a command line may add to.
+// Makes it a text that a command line may add to.
 inline Parameter listing(Parameter made)
 {
   made.isList = true;
   return made;
 }
 
-// The same of one that has no effect without an input.
+// Makes it one that has no effect without an input.
 inline Parameter actingWith(const std::string& input, Parameter made)
 {
   made.actsWith = input;
   return made;
 }
 
-// The same of a length.
+// Makes it a length.
 inline Parameter length(Parameter made)
 {
   made.isLength = true;

@@ -16,7 +16,7 @@ namespace oversketch_session
 namespace
 {
 
-// Of the first component; 1 where that says nothing.
+// The scale by the first component; 1 where that says nothing.
 double scaleFor(vtkImageData* heights)
 {
   constexpr double share = 0.2, least = 1e-3; // of the longer side

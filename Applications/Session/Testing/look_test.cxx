@@ -119,7 +119,7 @@ TEST(History, KnowsWhatIsSaved)
   history.markSaved();
   history.amend(session);
   EXPECT_TRUE(history.isSaved()) << "what was learned is no change";
-  history.goOn(next());
+  history.mergeIntoLast(next());
   EXPECT_FALSE(history.isSaved());
   history.markSaved();
   history.undo();

@@ -57,36 +57,30 @@ Document::Document(QObject* parent)
   : QObject(parent)
   , Saver(autosaveRoot())
 {
-  // The worker's thread posts to this object's; what arrives after a newer change is left aside there.
+  // The threads of worker and autosave post to this object's; what arrives after a newer change is left aside
+  // there.
+  const auto post = [this](auto act)
+  { QMetaObject::invokeMethod(this, std::move(act), Qt::QueuedConnection); };
   Worker::Listener listener;
-  listener.done = [this](Worker::Result result)
+  listener.done = [this, post](Worker::Result result)
   {
     auto worn = decodedOf(result.display); // here, so that the window's thread need not
-    QMetaObject::invokeMethod(
-      this,
-      [this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); },
-      Qt::QueuedConnection);
+    post([this, made = std::move(result), pictures = std::move(worn)] { this->take(made, pictures); });
   };
-  listener.detailed = [this](Worker::Details details)
+  listener.detailed = [this, post](Worker::Details details)
+  { post([this, made = std::move(details)] { this->takeDetails(made); }); };
+  listener.cancelled = [this, post](std::uint64_t ticket)
   {
-    QMetaObject::invokeMethod(
-      this, [this, made = std::move(details)] { this->takeDetails(made); }, Qt::QueuedConnection);
-  };
-  listener.cancelled = [this](std::uint64_t ticket)
-  {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket]
       {
         this->Detailed = std::max(this->Detailed, ticket); // nothing will come
         this->answered(ticket);
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.traced = [this](std::uint64_t ticket, std::vector<SharedData> lines)
+  listener.traced = [this, post](std::uint64_t ticket, std::vector<SharedData> lines)
   {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket, made = std::move(lines)]
       {
         if (ticket == this->Result.ticket)
@@ -94,13 +88,12 @@ Document::Document(QObject* parent)
           this->Traces = made;
           emit this->traced();
         }
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.pictured = [this](std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
+  listener.pictured = [this, post](
+                        std::uint64_t ticket, std::size_t node, std::shared_ptr<const Thumbnail> picture)
   {
-    QMetaObject::invokeMethod(
-      this,
+    post(
       [this, ticket, node, made = std::move(picture)]
       {
         if (ticket == this->Result.ticket)
@@ -108,29 +101,17 @@ Document::Document(QObject* parent)
           this->Result.nodes[node].picture = made;
           emit this->pictured(static_cast<int>(node));
         }
-      },
-      Qt::QueuedConnection);
+      });
   };
-  listener.progress = [this](std::uint64_t, std::size_t node, const std::string& stage, double share)
+  listener.progress = [this, post](std::uint64_t, std::size_t node, const std::string& stage, double share)
   {
     const QString name = QString::fromStdString(stage);
-    QMetaObject::invokeMethod(
-      this,
-      [this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); },
-      Qt::QueuedConnection);
+    post([this, at = static_cast<int>(node), name, share] { emit this->progressed(at, name, share); });
   };
-  listener.evaluatedAside = [this](const SharedData& mesh)
-  {
-    QMetaObject::invokeMethod(
-      this, [this, mesh] { emit this->beforeCame(mesh); }, Qt::QueuedConnection);
-  };
+  listener.evaluatedAside = [this, post](const SharedData& mesh)
+  { post([this, mesh] { emit this->beforeCame(mesh); }); };
   this->Background = std::make_unique<Worker>(std::move(listener));
-  this->Saver.onKept(
-    [this]
-    {
-      QMetaObject::invokeMethod(
-        this, [this] { emit this->kept(); }, Qt::QueuedConnection);
-    });
+  this->Saver.onKept([this, post] { post([this] { emit this->kept(); }); });
 }
 
 Document::~Document() = default;
@@ -313,67 +294,67 @@ void Document::add(const Step& step)
   this->commit(std::move(next), Change::Drawn);
 }
 
+Session Document::withStep(int index, const Step& step) const
+{
+  Session next = this->session();
+  next.nodes[indexOf(index)].step = std::make_shared<Step>(step);
+  return next;
+}
+
 void Document::redraw(int index, const Step& drawn)
 {
-  Step step = *this->session().nodes[indexOf(index)].step;
+  Step step = *this->nodeAt(index)->step;
   step.inputs = drawn.inputs;
   this->remake(index, step);
 }
 
 void Document::remake(int index, const Step& made)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  auto step = std::make_shared<Step>(*node.step);
-  step->inputs = made.inputs;
-  step->values = made.values;
-  node.step = step;
-  node.committed.reset(); // it takes hold anew
+  Step step = *this->nodeAt(index)->step;
+  step.inputs = made.inputs;
+  step.values = made.values;
+  Session next = this->withStep(index, step);
+  next.nodes[indexOf(index)].committed.reset(); // it takes hold anew
   this->commit(std::move(next), Change::Drawn);
 }
 
 void Document::setStrokes(int index, const std::vector<DrawnStroke>& strokes)
 {
-  const Step& step = *this->session().nodes[indexOf(index)].step;
+  const Step& step = *this->nodeAt(index)->step;
   const SystemInput* input = findInput(*findSystem(step.system), SystemInput::Kind::Stroke);
   this->redraw(index, withDrawing(step, drawingOf(strokes, linesOf(step, input->name))));
 }
 
 void Document::setParameters(int index, const Values& values, const std::optional<MirrorPlane>& mirror)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  auto step = std::make_shared<Step>(*node.step);
-  step->values = values;
-  step->mirror = mirror;
-  node.step = step;
-  this->commit(std::move(next));
+  Step step = *this->nodeAt(index)->step;
+  step.values = values;
+  step.mirror = mirror;
+  this->commit(this->withStep(index, step));
 }
 
-void Document::shape(int index, const Values& values, bool goesOn)
+void Document::setValues(int index, const Values& values, bool mergesIntoLast)
 {
-  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
-  step->values = values;
-  this->follow(index, step, goesOn);
+  Step step = *this->nodeAt(index)->step;
+  step.values = values;
+  this->setStep(index, step, mergesIntoLast);
 }
 
-void Document::place(int index, const PartPlace& place, bool goesOn)
+void Document::setPlacement(int index, const PartPlace& place, bool mergesIntoLast)
 {
-  auto step = std::make_shared<Step>(*this->session().nodes[indexOf(index)].step);
-  step->part = place;
-  this->follow(index, step, goesOn);
+  Step step = *this->nodeAt(index)->step;
+  step.part = place;
+  this->setStep(index, step, mergesIntoLast);
 }
 
 // A change by a hand that goes on.
-void Document::follow(int index, std::shared_ptr<const Step> step, bool goesOn)
+void Document::setStep(int index, const Step& step, bool mergesIntoLast)
 {
-  Session next = this->session();
-  Node& node = next.nodes[indexOf(index)];
-  node.step = std::move(step);
-  const int id = node.id;
-  if (goesOn && this->Shaped == id && this->takes(next))
+  Session next = this->withStep(index, step);
+  const int id = next.nodes[indexOf(index)].id;
+  if (mergesIntoLast && this->Shaped == id && this->takes(next))
   {
-    this->Changes->goOn(std::move(next));
+    this->Changes->mergeIntoLast(std::move(next));
     this->run(Change::Drawn);
   }
   else
@@ -499,15 +480,10 @@ void Document::submit()
 
 void Document::keep()
 {
-  // What only undo brings back is decoded anew then.
+  // Pictures that only undo brings back are decoded anew then.
   for (auto it = this->Worn.begin(); it != this->Worn.end();)
   {
-    bool isThere = false;
-    for (std::size_t place = 0; place < modelCount(this->session()); ++place)
-    {
-      isThere = isThere || modelAt(this->session(), place).id == it->first;
-    }
-    it = isThere ? std::next(it) : this->Worn.erase(it);
+    it = placeOfModel(this->session(), it->first) >= 0 ? std::next(it) : this->Worn.erase(it);
   }
   if (!this->Discarded)
   {

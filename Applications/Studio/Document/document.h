@@ -1,4 +1,5 @@
-// What the window shows and changes: a session with its history, kept on the disk and run in the background.
+// The work that the window shows and changes: a session with its history, kept on the disk and run in the
+// background.
 #ifndef oversketch_applications_studio_document_document_h
 #define oversketch_applications_studio_document_document_h
 
@@ -41,7 +42,7 @@ public:
   int backend() const { return this->Backend; }
   // Shows it, instead of what was there.
   void open(Opened opened);
-  // The same with its models beside those that are there (readModels); the first of them is chosen. Throws
+  // Adds its models to those that are there (readModels); the first of them is chosen. Throws
   // oversketch_files::Failed where they are too many.
   static Opened readModels(const QString& path, int backend);
   void addModels(const Opened& opened);
@@ -54,7 +55,7 @@ public:
   void setPart(int number, bool shown);
   // Why the chosen one takes no steps, in words; empty where it does.
   QString whyNoSteps() const;
-  // What all of them show, those that have a mesh.
+  // The meshes that they show, of those that have one.
   std::vector<oversketch_session::SharedData> shownMeshes() const;
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture, which readDrawing
   // has read on any thread; on an empty canvas. Reading throws Failed for what is no picture.
@@ -63,21 +64,24 @@ public:
   static ReadDrawing readDrawing(const QString& picture);
   bool beginDrawing(SharedStep step, const QString& name, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
-  // What reads, on any thread, a further part of the model for add(): a drawing over a picture, before the
-  // middle of the model as it is now. Throws Failed for what is no picture.
+  // A function that reads, on any thread, a further part of the model for add(): a drawing over a picture,
+  // before the middle of the model as it is now. Throws Failed for what is no picture.
   std::function<ReadDrawing()> partReader(const QString& picture) const;
-  // What a crash left behind, read from its folder, as a session that is not saved.
+  // Opens what a crash left behind, read from its folder, as a session that is not saved.
   void recover(const oversketch_session::LeftBehind& left, Opened read);
   // Saves the session, as it is looked at. Throws Failed.
   void save(const QString& path);
   // In two halves, of which the first may run on any thread.
   oversketch_session::SessionFile toSave();
   void saved(const QString& path);
-  // What an export writes; null where there is no mesh yet.
+  // The mesh that an export writes; null where there is no mesh yet.
   vtkSmartPointer<vtkPolyData> shownMesh() const;
 
   const oversketch_session::Session& session() const { return this->Changes->now(); }
   bool isOpen() const { return this->Changes != nullptr; }
+  // A row of the history, null where it is not there; whether there is one of a system's step.
+  const oversketch_session::Node* nodeAt(int row) const;
+  bool isOf(int row, const std::string& system) const;
   // The file that Save writes to; empty until the session has one.
   const QString& path() const { return this->Path; }
   // The name for titles: the session's file, or the mesh that was opened.
@@ -100,7 +104,7 @@ public:
   const oversketch_session::Worker::Result& result() const { return this->Result; }
   // digestOf(result().mesh); empty before it is known.
   const std::string& digest() const { return this->Digest; }
-  // Of the mesh that is shown; none before they are known.
+  // The strokes on the mesh that is shown; none before they are known.
   const std::vector<oversketch_session::SharedData>& traces() const { return this->Traces; }
   bool isBusy() const { return this->Ticket != this->Answered; }
   // Nothing is computed, and all is there that follows on the mesh.
@@ -114,24 +118,24 @@ public:
   // that is there: the inputs of another.
   void add(const oversketch_session::Step& step);
   void redraw(int node, const oversketch_session::Step& step);
-  // The same with its values.
+  // Its inputs and values.
   void remake(int node, const oversketch_session::Step& step);
   // The strokes of a step that was given several: one is another, off, gone.
   void setStrokes(int node, const std::vector<oversketch_session::DrawnStroke>& strokes);
   void setParameters(int node,
     const oversketch_session::Values& values,
     const std::optional<oversketch_session::MirrorPlane>& mirror);
-  // The same by a hand that sees the mesh follow. What goes on from the last such change of the step is one
-  // step of undo with it.
-  void shape(int node, const oversketch_session::Values& values, bool goesOn);
-  // Puts a part elsewhere, as shape().
-  void place(int node, const oversketch_session::PartPlace& place, bool goesOn);
+  // Sets values by a hand that sees the mesh follow. A change that merges into the last such change of the
+  // step is one step of undo with it.
+  void setValues(int node, const oversketch_session::Values& values, bool mergesIntoLast);
+  // Puts a part elsewhere, as setValues().
+  void setPlacement(int node, const oversketch_session::PartPlace& place, bool mergesIntoLast);
   void setOn(int node, bool on);
   void rename(int node, const QString& name);
   void remove(int node);
   // No step may stand before one that it needs (faultOfMove): then nothing happens.
   void move(int from, int to);
-  // The same step once more, after it.
+  // Puts the same step once more after it.
   void duplicate(int node);
 
   // The model is shown as of that many steps; the others are kept. How the history is looked at, no change of
@@ -150,7 +154,7 @@ public:
   // Makes the mesh that comes to a node's step, for beforeCame().
   void requestBefore(int node);
 
-  // Of larger models the steps' work is not kept (Worker::keepWorkUpTo).
+  // Keeps no steps' work of larger models (Worker::keepWorkUpTo).
   void keepWorkUpTo(vtkIdType triangles) { this->Background->keepWorkUpTo(triangles); }
 
   // Where models compute (vtkOversketchSystem::BackendType): the open one from here on, where this is
@@ -161,7 +165,7 @@ public:
   // Ends the autosave: the work is saved or not wanted.
   void discardAutosave();
 
-  // What a change is of: what the hand has just drawn, the history otherwise, pictures alone, or the file
+  // The kinds of change: what the hand has just drawn, the history otherwise, pictures alone, or the file
   // that it is saved in.
   enum class Change
   {
@@ -203,7 +207,8 @@ private:
   void choose(); // the wanted one, as soon as it can be
   void turnFrom(const oversketch_session::Session& before);
   oversketch_session::Session chosen(int place) const;
-  void follow(int node, std::shared_ptr<const oversketch_session::Step> step, bool goesOn);
+  oversketch_session::Session withStep(int node, const oversketch_session::Step& step) const;
+  void setStep(int node, const oversketch_session::Step& step, bool mergesIntoLast);
   void run(Change change);
   void submit(); // what is shown
   void keep();
@@ -222,10 +227,10 @@ private:
   int Backend = 0, Up = 1;
   std::optional<oversketch_session::Look> Seen;
   std::function<std::optional<oversketch_session::Look>()> LookNow;
-  int Shaped = 0;         // the id of the step that the last change was a shape() or place() of
+  int Shaped = 0;         // the id of the step that the last change was a setValues() or setPlacement() of
   bool Discarded = false; // what comes after the end is not to be kept
   oversketch_session::Worker::Result Result;
-  // What each model wears, by its id, so that nothing is decoded when it is seen again.
+  // Pictures that each model wears, by its id, so that nothing is decoded when it is seen again.
   std::map<int, std::vector<SharedPicture>> Worn;
   std::string Digest; // of its mesh
   std::vector<oversketch_session::SharedData> Traces;

@@ -65,11 +65,7 @@ void Document::chooseModel(int place)
 void Document::choose()
 {
   const Session before = this->session();
-  int place = -1;
-  for (std::size_t i = 0; this->Wanted != 0 && i < modelCount(before); ++i)
-  {
-    place = modelAt(before, i).id == this->Wanted ? static_cast<int>(i) : place;
-  }
+  const int place = placeOfModel(before, this->Wanted);
   if (place < 0 || place == static_cast<int>(before.place))
   {
     this->Wanted = 0;

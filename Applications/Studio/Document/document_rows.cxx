@@ -2,12 +2,22 @@
 #include "document.h"
 #include "step_order.h"
 
-#include <algorithm>
-
 namespace oversketch_studio
 {
 
 using namespace oversketch_session;
+
+const Node* Document::nodeAt(int row) const
+{
+  const bool isThere = this->isOpen() && row >= 0 && indexOf(row) < this->session().nodes.size();
+  return isThere ? &this->session().nodes[indexOf(row)] : nullptr;
+}
+
+bool Document::isOf(int row, const std::string& system) const
+{
+  const Node* node = this->nodeAt(row);
+  return node && node->step->system == system;
+}
 
 void Document::remove(int index)
 {
@@ -55,13 +65,12 @@ void Document::duplicate(int index)
 int Document::shownTo() const
 {
   const std::vector<Node>& nodes = this->session().nodes;
-  const auto isLast = [this](const Node& node) { return node.id == this->Last; };
-  const auto last = this->Last ? std::find_if(nodes.begin(), nodes.end(), isLast) : nodes.end();
-  if (last == nodes.end()) // also where it was undone
+  const int last = this->Last ? rowOf(nodes, *this->Last) : -1;
+  if (last < 0) // also where it was undone
   {
     return this->Last == 0 ? 0 : static_cast<int>(nodes.size());
   }
-  return static_cast<int>(last - nodes.begin()) + 1;
+  return last + 1;
 }
 
 void Document::showTo(int count)

@@ -113,11 +113,6 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
   return true;
 }
 
-bool isLongWorkGoing()
-{
-  return !going.isEmpty();
-}
-
 QString longWorkGoing()
 {
   return going.value(going.size() - 1);

@@ -1,5 +1,5 @@
-// What takes long, such as a large file, on a thread of its own: the window says that it goes on, and it can
-// be given up.
+// Work that takes long, such as a large file, on a thread of its own: the window says that it goes on, and it
+// can be given up.
 #ifndef oversketch_applications_studio_document_long_work_h
 #define oversketch_applications_studio_document_long_work_h
 
@@ -16,8 +16,7 @@ namespace oversketch_studio
 // comes to its place, and it must not use what may end before the program. Throws what it throws. After a
 // moment `what` is said in a dialogue with a button for giving it up.
 bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work);
-// Whether one goes on: nothing else is to be begun; and what was said of it.
-bool isLongWorkGoing();
+// The text of one that goes on, so that nothing else is to be begun; else empty.
 QString longWorkGoing();
 
 } // namespace oversketch_studio

@@ -1,4 +1,4 @@
-// What has been read of files, on any thread, and is not shown yet.
+// Files that have been read, on any thread, and are not shown yet.
 #ifndef oversketch_applications_studio_document_opened_file_h
 #define oversketch_applications_studio_document_opened_file_h
 

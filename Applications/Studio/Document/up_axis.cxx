@@ -87,7 +87,7 @@ std::array<double, 3> middleOf(vtkPolyData* mesh)
   return sum;
 }
 
-// What it stands on along an axis.
+// The ground that it stands on along an axis.
 struct Stand
 {
   double inside =

@@ -25,7 +25,6 @@ int gapOf(const QLayout& layout)
 // In one line.
 QSize FlowLayout::sizeHint() const
 {
-  const QMargins margins = this->contentsMargins();
   QSize size(0, 0);
   for (const QLayoutItem* item : this->Items)
   {
@@ -36,13 +35,12 @@ QSize FlowLayout::sizeHint() const
         std::max(size.height(), one.height()) };
     }
   }
-  return size + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+  return size.grownBy(this->contentsMargins());
 }
 
 // The widest alone.
 QSize FlowLayout::minimumSize() const
 {
-  const QMargins margins = this->contentsMargins();
   QSize size;
   for (const QLayoutItem* item : this->Items)
   {
@@ -51,7 +49,7 @@ QSize FlowLayout::minimumSize() const
       size = size.expandedTo(item->minimumSize());
     }
   }
-  return size + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+  return size.grownBy(this->contentsMargins());
 }
 
 void FlowLayout::setGeometry(const QRect& place)

@@ -33,12 +33,6 @@ namespace
 constexpr int leastList = 72; // px: a row and the marker below it
 constexpr int nodeRole = RowDelegate::NodeRole, lineRole = RowDelegate::LineRole;
 
-// The strokes of a step that is a drawing; none of another.
-std::vector<DrawnStroke> linesIn(const Step& step)
-{
-  return step.system == drawingSystem ? strokesOf(linesOf(step, strokesInput)) : std::vector<DrawnStroke>();
-}
-
 // Shares the thumbnail's pixels.
 QImage imageOf(const std::shared_ptr<const Thumbnail>& picture)
 {
@@ -59,10 +53,9 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
   : QWidget(parent)
   , OpenDocument(document)
   , List(new StepList(this))
-  , Empty(
-      new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it acts: "
-                    "the model follows."),
-        this->List->viewport()))
+  , Empty(new QLabel(tr("The strokes that you draw are listed here. Untick one, redraw it, change how it "
+                        "acts: the model follows."),
+      this->List->viewport()))
   , Form(new StepPanel(this))
 {
   this->List->setObjectName("history");
@@ -130,7 +123,7 @@ void HistoryPanel::listenToList()
   this->List->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(this->List, &QWidget::customContextMenuRequested, this, &HistoryPanel::showMenu);
   connect(this->OpenDocument, &Document::pictured, this, &HistoryPanel::showPicture);
-  // What a step moved is known after its mesh.
+  // The part that a step moved is known after its mesh.
   connect(this->OpenDocument,
     &Document::detailed,
     this,
@@ -190,7 +183,7 @@ void HistoryPanel::showPicture(int node)
   }
 }
 
-// What the step did, and its picture; the last one stays until another is there.
+// Shows what the step did, and its picture; the last one stays until another is there.
 void HistoryPanel::tell(QListWidgetItem* item, int at)
 {
   const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
@@ -305,14 +298,14 @@ void HistoryPanel::remove()
     this->OpenDocument->remove(node);
     return;
   }
-  std::vector<DrawnStroke> lines = linesIn(*this->OpenDocument->session().nodes[indexOf(node)].step);
+  std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(node)->step);
   lines.erase(lines.begin() + line);
   this->OpenDocument->setStrokes(node, lines);
 }
 
 void HistoryPanel::setOn(int node, int line, bool on)
 {
-  const Node& one = this->OpenDocument->session().nodes[indexOf(node)];
+  const Node& one = *this->OpenDocument->nodeAt(node);
   if (line < 0)
   {
     if (on != one.on)
@@ -321,7 +314,7 @@ void HistoryPanel::setOn(int node, int line, bool on)
     }
     return;
   }
-  std::vector<DrawnStroke> lines = linesIn(*one.step);
+  std::vector<DrawnStroke> lines = strokesOf(*one.step);
   if (indexOf(line) < lines.size() && on != lines[indexOf(line)].on)
   {
     lines[indexOf(line)].on = on;
@@ -342,17 +335,13 @@ int HistoryPanel::changed() const
 void HistoryPanel::change(const char* property, const std::function<Value(const Value&)>& to)
 {
   const int row = this->changed();
-  if (row < 0)
-  {
-    return;
-  }
-  const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
-  const SystemRow* system = findSystem(step.system);
+  const Node* node = this->OpenDocument->nodeAt(row);
+  const SystemRow* system = node ? findSystem(node->step->system) : nullptr;
   if (const Parameter* parameter = system ? findParameter(*system, property) : nullptr)
   {
-    Values values = step.values;
-    values[property] = to(valueOf(step, *parameter));
-    this->OpenDocument->setParameters(row, values, step.mirror);
+    Values values = node->step->values;
+    values[property] = to(valueOf(*node->step, *parameter));
+    this->OpenDocument->setParameters(row, values, node->step->mirror);
   }
 }
 
@@ -397,7 +386,7 @@ void HistoryPanel::addStep(int at)
   item->setData(lineRole, -1);
   item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
   item->setCheckState(node.on ? Qt::Checked : Qt::Unchecked);
-  const bool isEmpty = node.step->system == drawingSystem && linesIn(*node.step).empty();
+  const bool isEmpty = node.step->system == drawingSystem && strokesOf(*node.step).empty();
   if (indexOf(at) < states.size() && node.on && !isEmpty)
   {
     const auto& state = states[indexOf(at)];
@@ -429,7 +418,7 @@ void HistoryPanel::addStep(int at)
 // Under their drawing, which is one step.
 void HistoryPanel::addLines(int at)
 {
-  const std::vector<DrawnStroke> lines = linesIn(*this->OpenDocument->session().nodes[indexOf(at)].step);
+  const std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(at)->step);
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
     const int treatment = treatmentOf(lines[i].line);
@@ -459,10 +448,9 @@ void HistoryPanel::refresh()
     const auto& nodes = this->OpenDocument->session().nodes;
     for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
     {
-      const auto isIt = [id = it->first](const Node& node) { return node.id == id; };
-      it = std::any_of(nodes.begin(), nodes.end(), isIt) ? std::next(it) : this->Pictures.erase(it);
+      it = rowOf(nodes, it->first) >= 0 ? std::next(it) : this->Pictures.erase(it);
     }
-    const int count = static_cast<int>(this->OpenDocument->session().nodes.size());
+    const int count = static_cast<int>(nodes.size());
     for (int i = 0; i < count; ++i)
     {
       this->addStep(i);
@@ -483,16 +471,16 @@ void HistoryPanel::refresh()
 void HistoryPanel::showStep()
 {
   const int row = this->current();
-  const Step* step = row < 0 ? nullptr : this->OpenDocument->session().nodes[indexOf(row)].step.get();
+  const Node* node = this->OpenDocument->nodeAt(row);
+  const Step* step = node ? node->step.get() : nullptr;
   const SystemRow* system = step ? findSystem(step->system) : nullptr;
   const bool isDrawn = system && findInput(*system, SystemInput::Kind::Stroke);
   const bool isLine = this->currentLine() >= 0, isDrawing = step && step->system == drawingSystem;
   this->Redraw->setEnabled(isDrawing ? isLine : isDrawn);
-  this->View->setEnabled(isDrawn && (!isDrawing || !linesIn(*step).empty()));
+  this->View->setEnabled(isDrawn && (!isDrawing || !strokesOf(*step).empty()));
   this->Remove->setEnabled(step);
-  const int changed = this->changed();
-  const SystemRow* other =
-    changed < 0 ? nullptr : findSystem(this->OpenDocument->session().nodes[indexOf(changed)].step->system);
+  const Node* changed = this->OpenDocument->nodeAt(this->changed());
+  const SystemRow* other = changed ? findSystem(changed->step->system) : nullptr;
   this->Next->setEnabled(other && findParameter(*other, "Candidate"));
   this->Less->setEnabled(other && findParameter(*other, "Reach"));
   this->More->setEnabled(this->Less->isEnabled());
@@ -510,17 +498,16 @@ void HistoryPanel::showStep()
 
 int HistoryPanel::idOf(int node) const
 {
-  return node < 0 ? -1 : this->OpenDocument->session().nodes[indexOf(node)].id;
+  const Node* one = this->OpenDocument->nodeAt(node);
+  return one ? one->id : -1;
 }
 
 void HistoryPanel::setParameters(int id, const Values& values, int mirror)
 {
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto node = std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
-  if (node != nodes.end()) // else it has been undone or deleted
+  const int node = rowOf(this->OpenDocument->session().nodes, id);
+  if (node >= 0) // else it has been undone or deleted
   {
-    this->OpenDocument->setParameters(
-      static_cast<int>(node - nodes.begin()), values, this->OpenDocument->mirrorPlane(mirror));
+    this->OpenDocument->setParameters(node, values, this->OpenDocument->mirrorPlane(mirror));
   }
 }
 
@@ -538,13 +525,12 @@ void HistoryPanel::itemChanged(QListWidgetItem* item)
     this,
     [this, row, line, on, name]
     {
-      const auto& nodes = this->OpenDocument->session().nodes;
-      if (indexOf(row) >= nodes.size())
+      if (!this->OpenDocument->nodeAt(row))
       {
         return;
       }
       this->setOn(row, line, on);
-      if (line < 0 && name.toStdString() != nodes[indexOf(row)].name)
+      if (line < 0 && name.toStdString() != this->OpenDocument->nodeAt(row)->name)
       {
         this->OpenDocument->rename(row, name);
       }

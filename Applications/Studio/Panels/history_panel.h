@@ -36,7 +36,7 @@ public:
   void selectStep(int node) { this->select(node, -1); }
   // Shows the form of a system while no step is selected.
   void turnTo(const std::string& system);
-  // What can be done with it, for a menu; the first ones have buttons under the list, too.
+  // The actions on it, for a menu; the first ones have buttons under the list, too.
   QList<QAction*> strokeActions() const
   {
     return this->buttonActions() + QList<QAction*>{ this->Next, this->Less, this->More } + this->rowActions();
@@ -83,7 +83,7 @@ private:
   void remove();
   void setOn(int node, int line, bool on);
   void showStep();
-  // Of a step by its place; -1 of none.
+  // The id of a step by its place; -1 of none.
   int idOf(int node) const;
   void setParameters(int id, const oversketch_session::Values& values, int mirror);
   // The step that keys change: the selected one, else the last; -1 where there is none.

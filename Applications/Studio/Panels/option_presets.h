@@ -22,8 +22,8 @@ public:
   // Whose options they are from here on.
   void setTool(Tool* tool);
 
-  // Of the tool, in the alphabet's order; kept, and taken up again. A name that is there is replaced; one
-  // that is not is of no effect.
+  // Those of the tool, in the alphabet's order; kept, and taken up again. A name that is there is replaced;
+  // one that is not is of no effect.
   QStringList names() const;
   void keep(const QString& name) const;
   void choose(const QString& name) const;

@@ -13,7 +13,7 @@ class OptionsStack : public QStackedWidget
 
 public:
   explicit OptionsStack(QWidget* parent = nullptr);
-  // Of what is seen alone.
+  // The sizes of the page that is seen alone.
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -21,8 +21,8 @@ protected:
   void resizeEvent(QResizeEvent* event) override;
 
 private:
-  // Of the highest page in one line: the view beside the bar, and what is drawn in it, stays as large when
-  // another tool is taken.
+  // The height of the highest page in one line: the view beside the bar, and what is drawn in it, stays as
+  // large when another tool is taken.
   int lineHeight() const;
   void fit();
 };

@@ -26,7 +26,7 @@ bool isStep(const QModelIndex& index)
 }
 
 // Without the room for the marker.
-QRect rowOf(const QStyleOptionViewItem& option, const QModelIndex& index)
+QRect rectOfRow(const QStyleOptionViewItem& option, const QModelIndex& index)
 {
   const int gap = RowDelegate::gapHeight(option.fontMetrics);
   switch (index.data(RowDelegate::GapRole).toInt())
@@ -84,7 +84,7 @@ void RowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given, co
 {
   QStyleOptionViewItem option = given;
   this->initStyleOption(&option, index);
-  option.rect = rowOf(given, index);
+  option.rect = rectOfRow(given, index);
   QStyle* style = styleOf(option);
   painter->save();
   painter->setOpacity(index.data(HiddenRole).toBool() ? 0.45 : 1.0);
@@ -140,7 +140,7 @@ bool RowDelegate::editorEvent(QEvent* event,
   const QModelIndex& index)
 {
   QStyleOptionViewItem option = given;
-  option.rect = rowOf(given, index);
+  option.rect = rectOfRow(given, index);
   return QStyledItemDelegate::editorEvent(event, model, option, index);
 }
 
@@ -150,7 +150,7 @@ void RowDelegate::updateEditorGeometry(QWidget* editor,
 {
   QStyleOptionViewItem option = given;
   this->initStyleOption(&option, index);
-  option.rect = rowOf(given, index);
+  option.rect = rectOfRow(given, index);
   editor->setGeometry(Places(option).name.adjusted(-space, -space, 0, space));
 }
 

@@ -15,8 +15,8 @@ class RowDelegate : public QStyledItemDelegate
 public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  // Of an item: its step; the line of a drawing that it is, or -1; what the step did, a text; its picture, a
-  // QImage; whether the model is shown without it; on which side there is room for the marker.
+  // Data of an item: its step; the line of a drawing that it is, or -1; what the step did, a text; its
+  // picture, a QImage; whether the model is shown without it; on which side there is room for the marker.
   enum Role
   {
     NodeRole = Qt::UserRole,

@@ -45,9 +45,8 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->List->setObjectName("scene");
   this->List->setAccessibleName(tr("Scene"));
   this->List->setToolTip(
-    tr("Models, and pictures behind them to draw after. A click on a model chooses it: "
-       "strokes act on the chosen one. Unticked ones are hidden. Drop a model here to add "
-       "it. The right button opens a menu."));
+    tr("Models, and pictures behind them to draw after. A click on a model chooses it: strokes act on the "
+       "chosen one. Unticked ones are hidden. Drop a model here to add it. The right button opens a menu."));
   const int line = this->List->fontMetrics().height() + 8, frame = 2 * this->List->frameWidth();
   this->List->setMinimumHeight(line + frame); // on a small screen
   this->List->setMaximumHeight(lines * line + frame);
@@ -191,7 +190,7 @@ void ScenePanel::refresh()
     this->findParts();
     this->list();
     this->hideParts();
-    // What is new is the hand's next.
+    // A new row is the hand's next.
     const int now = this->List->count();
     const auto isChosen = [place = static_cast<int>(this->OpenDocument->session().place)](const Row& one)
     { return one.model == place; };

@@ -47,7 +47,7 @@ signals:
   void exportAsked(int model, int part, const QString& name);
 
 private:
-  // What a row is of: a model, one of its parts, or a picture; -1 where it is none of that kind.
+  // The thing that a row is of: a model, one of its parts, or a picture; -1 where it is none of that kind.
   struct Row
   {
     int model = -1, part = -1, picture = -1;

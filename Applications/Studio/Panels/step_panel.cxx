@@ -82,7 +82,7 @@ void StepPanel::addPage(const SystemRow& row)
     page.mirror->setToolTip(tr("One side of the model, or both sides of this plane. Where the two are the "
                                "same, there are no new triangles."));
     form->addRow(tr("Mirror"), page.mirror);
-    connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
+    connect(page.mirror, QOverload<int>::of(&QComboBox::activated), this, &StepPanel::read);
   }
   scroll->setWidget(rows);
   scroll->setMinimumWidth(rows->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
@@ -103,7 +103,7 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     {
       choice->addItem(rowText(one.title));
     }
-    connect(choice, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
+    connect(choice, QOverload<int>::of(&QComboBox::activated), this, &StepPanel::read);
     field.widget = choice;
     field.read = [](QWidget* widget) -> Value { return static_cast<QComboBox*>(widget)->currentIndex(); };
     field.write = [](QWidget* widget, const Value& value)
@@ -112,7 +112,7 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
   else if (std::holds_alternative<bool>(parameter.initial))
   {
     auto* box = new QCheckBox(title, page);
-    connect(box, &QCheckBox::clicked, this, [this] { this->read(); });
+    connect(box, &QCheckBox::clicked, this, &StepPanel::read);
     field.widget = box;
     field.read = [](QWidget* widget) -> Value { return static_cast<QCheckBox*>(widget)->isChecked(); };
     field.write = [](QWidget* widget, const Value& value)
@@ -128,7 +128,7 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     {
       number->setSpecialValueText(tr("automatic"));
     }
-    connect(number, &QSpinBox::editingFinished, this, [this] { this->read(); });
+    connect(number, &QSpinBox::editingFinished, this, &StepPanel::read);
     field.widget = number;
     field.read = [](QWidget* widget) -> Value { return static_cast<QSpinBox*>(widget)->value(); };
     field.write = [](QWidget* widget, const Value& value)
@@ -139,12 +139,12 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     auto* slider = new QSlider(Qt::Horizontal, page);
     slider->setRange(0, sliderSteps);
     slider->setTracking(false); // a value is a run
-    connect(slider, &QSlider::valueChanged, this, [this] { this->read(); });
+    connect(slider, &QSlider::valueChanged, this, &StepPanel::read);
     field.widget = slider;
     const double least = parameter.least, step = (parameter.most - least) / sliderSteps;
     const auto placeOf = [least, step](double value)
     { return static_cast<int>(std::lround((value - least) / step)); };
-    // What it was set to comes back as it was, though the slider has fewer places.
+    // The number that it was set to comes back as it was, though the slider has fewer places.
     field.read = [=](QWidget* widget) -> Value
     {
       const int place = static_cast<QSlider*>(widget)->value();
@@ -162,9 +162,9 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
   {
     auto* number = new QDoubleSpinBox(page);
     number->setRange(-1e6, 1e6);
-    connect(number, &QDoubleSpinBox::editingFinished, this, [this] { this->read(); });
+    connect(number, &QDoubleSpinBox::editingFinished, this, &StepPanel::read);
     field.widget = number;
-    // What it was set to comes back as it was, though the box has fewer digits.
+    // The number that it was set to comes back as it was, though the box has fewer digits.
     field.read = [](QWidget* widget) -> Value
     {
       auto* box = static_cast<QDoubleSpinBox*>(widget);
@@ -190,8 +190,8 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     {
       text->addItem(rowText(one.title), QString::fromStdString(one.word));
     }
-    connect(text, QOverload<int>::of(&QComboBox::activated), this, [this] { this->read(); });
-    connect(text->lineEdit(), &QLineEdit::editingFinished, this, [this] { this->read(); });
+    connect(text, QOverload<int>::of(&QComboBox::activated), this, &StepPanel::read);
+    connect(text->lineEdit(), &QLineEdit::editingFinished, this, &StepPanel::read);
     field.widget = text;
     field.read = [](QWidget* widget) -> Value
     {

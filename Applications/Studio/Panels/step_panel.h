@@ -34,7 +34,7 @@ public:
 signals:
   // The user has changed something; `mirror` is a choice of mirrorChoice.
   void edited(const oversketch_session::Values& values, int mirror);
-  // What had the keys can have them no more.
+  // A field that had the keys can have them no more.
   void keysLeft();
 
 protected:

@@ -35,7 +35,7 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
 {
   if (step.system == drawingSystem)
   {
-    const auto lines = strokesOf(linesOf(step, strokesInput));
+    const auto lines = strokesOf(step);
     const auto on =
       std::count_if(lines.begin(), lines.end(), [](const DrawnStroke& line) { return line.on; });
     return on == 1 ? RowTexts::tr("makes a body of one line")
@@ -119,14 +119,13 @@ QString wordsOf(const Node& node, const Worker::NodeState* state)
   {
     return RowTexts::tr("not shown");
   }
-  const bool isEmpty =
-    node.step->system == drawingSystem && strokesOf(linesOf(*node.step, strokesInput)).empty();
+  const bool isEmpty = node.step->system == drawingSystem && strokesOf(*node.step).empty();
   if (!state->failure.empty())
   {
     return isEmpty ? RowTexts::tr("nothing drawn yet") : RowTexts::tr("did nothing");
   }
   const QString deed = deedOf(*node.step, *state);
-  // Of a remark there is a mark.
+  // A remark has a mark instead.
   return !state->elsewhere ? deed
          : deed.isEmpty()  ? RowTexts::tr("elsewhere")
                            : RowTexts::tr("elsewhere; %1").arg(deed);

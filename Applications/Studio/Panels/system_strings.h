@@ -1,4 +1,4 @@
-// What the list of systems says, and what their steps did, in the user's language.
+// Texts of the list of systems, and what their steps did, in the user's language.
 #ifndef oversketch_applications_studio_panels_system_strings_h
 #define oversketch_applications_studio_panels_system_strings_h
 
@@ -16,16 +16,16 @@ namespace oversketch_studio
 
 // A text of a row (Applications/Session/Scene/systems.cxx); translators find it under "Systems".
 QString rowText(const std::string& text);
-// The same as a sentence: it begins with a capital letter.
+// Makes a sentence of it: it begins with a capital letter.
 QString rowSentence(const std::string& text);
-// What a step of a system is called.
+// The title of a step of a system.
 QString titleOf(const std::string& system);
 // Texts of files that were read or written.
 QStringList listOf(const std::vector<std::string>& texts);
 // Its words in lines of so many characters at most, where none is longer.
 QStringList wrapped(const QString& text, int most);
 
-// What a step of the history did, in a few words for its row.
+// Says what a step of the history did, in a few words for its row.
 // `state`: null where the step has not been run.
 QString wordsOf(const oversketch_session::Node& node, const oversketch_session::Worker::NodeState* state);
 

@@ -19,7 +19,7 @@ class ViewBar : public QWidget
 
 public:
   ViewBar(QMenu* projections, QMenu* shadings, const QList<QAction*>& switches, QWidget* view);
-  // What the buttons of the two menus say.
+  // Sets the texts of the buttons of the two menus.
   void setTexts(const QString& projection, const QString& shading);
   // In a view that has so much room for it: in one line, or as many as that takes.
   void fit(int width);

@@ -296,7 +296,7 @@ TEST(Files, WhatTakesLongShowsThatAndCanBeGivenUp)
         return false;
       }
       EXPECT_EQ(dialog->labelText(), "slow");
-      EXPECT_TRUE(isLongWorkGoing());
+      EXPECT_FALSE(longWorkGoing().isEmpty());
       dialog->findChild<QPushButton*>()->click();
       return true;
     });
@@ -311,7 +311,7 @@ TEST(Files, WhatTakesLongShowsThatAndCanBeGivenUp)
       oversketch_files::writeText(late, "too late");
     }));
   EXPECT_EQ(cancel.given(), 1);
-  EXPECT_FALSE(isLongWorkGoing());
+  EXPECT_TRUE(longWorkGoing().isEmpty());
   *go = true;
   QThreadPool::globalInstance()->waitForDone();
   EXPECT_FALSE(QFile::exists(QString::fromStdString(late))) << "what was given up appeared";
@@ -379,7 +379,7 @@ TEST(Files, EachWorkOnAFileShowsThatAndCanBeGivenUp)
       });
     work.begin();
     EXPECT_EQ(answers.given(), work.name.isEmpty() ? 1 : 2);
-    EXPECT_FALSE(isLongWorkGoing());
+    EXPECT_TRUE(longWorkGoing().isEmpty());
     go.set_value();
     pool->waitForDone();
     scene.wait();

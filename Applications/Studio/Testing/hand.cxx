@@ -82,7 +82,8 @@ Hand::Hand(unsigned seed, MainWindow& window, const QString& folder)
     connect(tool,
       &Tool::placed,
       this,
-      [this](int, const oversketch_session::PartPlace&, bool goesOn) { this->Doing.placed += !goesOn; });
+      [this](int, const oversketch_session::PartPlace&, bool mergesIntoLast)
+      { this->Doing.placed += !mergesIntoLast; });
   }
   connect(this->OpenDocument, &Document::opened, this, [this] { ++this->Doing.opened; });
   connect(this->OpenDocument, &Document::beforeCame, this, [this] { ++this->Doing.glances; });

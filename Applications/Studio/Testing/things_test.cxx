@@ -28,7 +28,7 @@ struct Pieces : Sheet
     {
       this->document->add(*this->document->partReader(this->file)().step);
       this->settle();
-      this->document->place(i, { { 500.0 * i, 0.0, 500.0 * i + 400.0, 300.0 }, 0.0 }, false);
+      this->document->setPlacement(i, { { 500.0 * i, 0.0, 500.0 * i + 400.0, 300.0 }, 0.0 }, false);
       this->settle();
       rows->setCurrentRow(2 * i); // below each is its line's
       this->settle();
@@ -162,11 +162,11 @@ TEST(Things, PartsThatAreHiddenStaySo)
   EXPECT_GT(differing(two, hidden), 300);
   // What a hand goes on with after it is a step of undo by itself.
   const std::string before = all.document->digest();
-  all.document->place(1, { { 500.0, 50.0, 900.0, 350.0 }, 0.0 }, false);
+  all.document->setPlacement(1, { { 500.0, 50.0, 900.0, 350.0 }, 0.0 }, false);
   all.settle();
   const std::string moved = all.document->digest();
   EXPECT_TRUE((all.tick(2, true), all.isTicked(2)));
-  all.document->place(1, { { 500.0, 90.0, 900.0, 390.0 }, 0.0 }, true);
+  all.document->setPlacement(1, { { 500.0, 90.0, 900.0, 390.0 }, 0.0 }, true);
   all.settle();
   all.document->undo();
   all.settle();

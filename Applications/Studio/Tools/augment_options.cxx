@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace oversketch_studio
 {
@@ -77,13 +78,13 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     box->setKeyboardTracking(false);
     box->installEventFilter(this);
   }
-  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, [this] { this->chosen(); });
+  connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, &AugmentOptions::chosen);
   connect(this->Direction,
     QOverload<int>::of(&QComboBox::activated),
     this,
     [this](int choice)
     {
-      const double size = this->Height == 0.0 ? 0.5 * this->Radius : std::abs(this->Height);
+      const double size = std::abs(this->height());
       this->Height = choice == 1 ? -size : this->Height == 0.0 ? 0.0 : size;
       this->chosen();
     });
@@ -103,7 +104,7 @@ AugmentOptions::AugmentOptions(QWidget* parent)
       this->Height = std::copysign(height, this->Height);
       this->changed(this->HeightBox, this->BoxTime);
     });
-  connect(this->Pressure, &QCheckBox::clicked, this, [this] { this->chosen(); });
+  connect(this->Pressure, &QCheckBox::clicked, this, &AugmentOptions::chosen);
   this->begin(1.0);
 }
 
@@ -128,7 +129,7 @@ Values AugmentOptions::values() const
 {
   return { { "SketchMode", this->Mode->currentIndex() },
     { "Radius", this->Radius },
-    { "Height", this->Height == 0.0 ? 0.5 * this->Radius : this->Height },
+    { "Height", this->height() },
     { "UsePressure", this->Pressure->isChecked() } };
 }
 
@@ -148,11 +149,9 @@ void AugmentOptions::refresh()
 {
   const QSignalBlocker quiet(this->RadiusBox), silent(this->HeightBox);
   this->RadiusBox->setValue(this->Radius);
-  this->HeightBox->setValue(this->Height == 0.0 ? 0.5 * this->Radius : std::abs(this->Height));
+  this->HeightBox->setValue(std::abs(this->height()));
   this->Direction->setCurrentIndex(this->Height < 0.0 ? 1 : 0);
-  for (QWidget* one : { static_cast<QWidget*>(this->Direction),
-         static_cast<QWidget*>(this->HeightBox),
-         static_cast<QWidget*>(this->Pressure) })
+  for (QWidget* one : std::initializer_list<QWidget*>{ this->Direction, this->HeightBox, this->Pressure })
   {
     one->setEnabled(this->isOnSurface());
   }
@@ -173,7 +172,7 @@ void AugmentOptions::widen(double notches, ulong time)
 void AugmentOptions::heighten(double notches, ulong time)
 {
   const double step = notch * this->Radius, least = 0.5 * step;
-  double height = (this->Height == 0.0 ? 0.5 * this->Radius : this->Height) + notches * step;
+  double height = this->height() + notches * step;
   // There is no height of 0, which is the system's word for its own.
   height = std::abs(height) < least ? std::copysign(step, notches) : height;
   this->Height = std::clamp(height, -this->Diagonal, this->Diagonal);
@@ -206,11 +205,12 @@ void AugmentOptions::chosen()
 // By the events' own times: a busy machine may be late with them.
 void AugmentOptions::changed(const QDoubleSpinBox* length, ulong time)
 {
-  const bool goesOn = length == this->LastChanged && time >= this->LastTime && time - this->LastTime < pause;
+  const bool mergesIntoLast =
+    length == this->LastChanged && time >= this->LastTime && time - this->LastTime < pause;
   this->LastChanged = length;
   this->LastTime = time;
   this->refresh();
-  emit this->shaped(goesOn);
+  emit this->shaped(mergesIntoLast);
 }
 
 } // namespace oversketch_studio

@@ -1,4 +1,4 @@
-// What a line on the surface is made with: the bar above the viewport.
+// The values that a line on the surface is made with: the bar above the viewport.
 #ifndef oversketch_applications_studio_tools_augment_options_h
 #define oversketch_applications_studio_tools_augment_options_h
 
@@ -35,13 +35,14 @@ public:
   bool isOnSurface() const;
 
 signals:
-  // By the hand; `goesOn`: so soon after the last change of the same length that it is one with it.
-  void shaped(bool goesOn);
+  // By the hand; `mergesIntoLast`: so soon after the last change of the same length that it is one with it.
+  void shaped(bool mergesIntoLast);
 
 protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+  double height() const { return this->Height == 0.0 ? 0.5 * this->Radius : this->Height; }
   void refresh();
   void chosen();
   void changed(const QDoubleSpinBox* length, ulong time);

@@ -104,19 +104,16 @@ QString AugmentTool::advice(const Situation& situation) const
   }
   if (situation.selected)
   {
-    return tr(
-      "Blue is where the selected line lies. Ctrl + wheel changes its width, Shift + wheel its height, "
-      "the profile its shape.");
+    return tr("Blue is where the selected line lies. Ctrl + wheel changes its width, Shift + wheel its "
+              "height, the profile its shape.");
   }
   if (situation.empty || !situation.holds)
   {
-    return tr(
-      "Draw a line on the model: it becomes finer there and rises. Orange is its crest and, thin, where it "
-      "ends. The middle button turns the model, F1 lists the keys.");
+    return tr("Draw a line on the model: it becomes finer there and rises. Orange is its crest and, thin, "
+              "where it ends. The middle button turns the model, F1 lists the keys.");
   }
-  return tr(
-    "Draw on, or change the red line: Ctrl + wheel its width, Shift + wheel its height, the profile its "
-    "shape; drag it to move it (Return: leave it). Ctrl+Z undoes.");
+  return tr("Draw on, or change the red line: Ctrl + wheel its width, Shift + wheel its height, the profile "
+            "its shape; drag it to move it (Return: leave it). Ctrl+Z undoes.");
 }
 
 QString AugmentTool::stage(const QString& name) const
@@ -219,7 +216,7 @@ Values AugmentTool::values() const
   return values;
 }
 
-void AugmentTool::shape(bool goesOn)
+void AugmentTool::shape(bool mergesIntoLast)
 {
   const Values values = this->values();
   this->setValues(values);
@@ -230,7 +227,7 @@ void AugmentTool::shape(bool goesOn)
     {
       this->Offered[name] = value;
     }
-    emit this->shaped(this->Offered, goesOn);
+    emit this->shaped(this->Offered, mergesIntoLast);
   }
 }
 

@@ -46,7 +46,7 @@ protected:
 
 private:
   oversketch_session::Values values() const;
-  void shape(bool goesOn);
+  void shape(bool mergesIntoLast);
 
   AugmentOptions* Options;
   ProfileEditor* Profile;

@@ -7,7 +7,6 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
@@ -58,19 +57,6 @@ bool isAlike(const Place& normal, vtkCell* triangle)
   vtkMath::Subtract(corners[2].data(), corners[0].data(), v.data());
   vtkMath::Cross(u.data(), v.data(), own.data());
   return vtkMath::Dot(own.data(), normal.data()) > 0.0;
-}
-
-template <typename Visit>
-void eachTriangle(vtkPolyData* mesh, const Visit& visit)
-{
-  const auto iterator = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
-  {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    iterator->GetCurrentCell(size, ids);
-    visit(Corners{ ids[0], ids[1], ids[2] });
-  }
 }
 
 // The triangles that have a point strictly inside the region.
@@ -146,11 +132,8 @@ vtkPolyData* BothSides::show(vtkPolyData* live, vtkOversketchEdit* edit, const M
   {
     return live;
   }
-  this->Shown->ShallowCopy(live);
-  vtkNew<vtkPoints> points;
-  points->SetDataType(live->GetPoints()->GetDataType());
-  points->DeepCopy(live->GetPoints());
-  this->Shown->SetPoints(points);
+  copyToMove(live, this->Shown);
+  vtkPoints* points = this->Shown->GetPoints();
   for (const Follower& follower : this->Followers)
   {
     Place way{};
@@ -169,21 +152,7 @@ vtkPolyData* BothSides::show(vtkPolyData* live, vtkOversketchEdit* edit, const M
   }
   if (vtkDataArray* before = live->GetPointData()->GetNormals())
   {
-    const auto turned = vtkSmartPointer<vtkDataArray>::Take(before->NewInstance());
-    turned->DeepCopy(before);
-    const std::vector<Vector> now = this->normals(this->Shown);
-    for (std::size_t i = 0; i < now.size(); ++i)
-    {
-      Vector normal;
-      before->GetTuple(this->Turned[i], normal.data());
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        normal[c] += now[i][c] - this->Before[i][c];
-      }
-      vtkMath::Normalize(normal.data());
-      turned->SetTuple(this->Turned[i], normal.data());
-    }
-    this->Shown->GetPointData()->SetNormals(turned);
+    this->Normals.turn(before, this->Shown);
   }
   return this->Shown;
 }
@@ -240,81 +209,12 @@ void BothSides::bind(vtkPolyData* live, vtkPolyData* rest, vtkPolyData* moved, c
       { cell->GetPointId(0), cell->GetPointId(1), cell->GetPointId(2) },
       { weights[0], weights[1], weights[2] } });
   }
-  this->findTurned(live);
-  this->Before = this->normals(live);
-}
-
-// The followers and those that share a triangle with one, and all triangles round these.
-void BothSides::findTurned(vtkPolyData* live)
-{
-  this->Turned.clear();
-  this->Faces.clear();
-  const auto count = static_cast<std::size_t>(live->GetNumberOfPoints());
-  std::vector<char> follows(count, 0);
+  std::vector<vtkIdType> moving;
   for (const Follower& follower : this->Followers)
   {
-    follows[static_cast<std::size_t>(follower.point)] = 1;
+    moving.push_back(follower.point);
   }
-  std::vector<int> place(count, -1);
-  const auto any = [](const Corners& ids, const auto& has)
-  { return std::any_of(ids.begin(), ids.end(), has); };
-  eachTriangle(live,
-    [&](const Corners& ids)
-    {
-      if (any(ids, [&](vtkIdType id) { return follows[static_cast<std::size_t>(id)] != 0; }))
-      {
-        for (const vtkIdType id : ids)
-        {
-          int& at = place[static_cast<std::size_t>(id)];
-          if (at < 0)
-          {
-            at = static_cast<int>(this->Turned.size());
-            this->Turned.push_back(id);
-          }
-        }
-      }
-    });
-  eachTriangle(live,
-    [&](const Corners& ids)
-    {
-      if (any(ids, [&](vtkIdType id) { return place[static_cast<std::size_t>(id)] >= 0; }))
-      {
-        Face face{ ids, {} };
-        std::transform(ids.begin(),
-          ids.end(),
-          face.turned.begin(),
-          [&](vtkIdType id) { return place[static_cast<std::size_t>(id)]; });
-        this->Faces.push_back(face);
-      }
-    });
-}
-
-// Of the surface, by the area of the triangles at each point.
-std::vector<BothSides::Vector> BothSides::normals(vtkPolyData* mesh) const
-{
-  std::vector<Vector> sums(this->Turned.size(), Vector{});
-  for (const Face& face : this->Faces)
-  {
-    const Place a = placeOf(mesh, face.points[0]), b = placeOf(mesh, face.points[1]),
-                c = placeOf(mesh, face.points[2]);
-    Place u, v, normal;
-    vtkMath::Subtract(b.data(), a.data(), u.data());
-    vtkMath::Subtract(c.data(), a.data(), v.data());
-    vtkMath::Cross(u.data(), v.data(), normal.data());
-    for (const int turned : face.turned)
-    {
-      if (turned >= 0)
-      {
-        Vector& sum = sums[static_cast<std::size_t>(turned)];
-        vtkMath::Add(sum.data(), normal.data(), sum.data());
-      }
-    }
-  }
-  for (Vector& sum : sums)
-  {
-    vtkMath::Normalize(sum.data());
-  }
-  return sums;
+  this->Normals.bind(live, moving);
 }
 
 } // namespace oversketch_studio

@@ -1,8 +1,10 @@
-// What the hand does to a region, shown on the other side of a plane too, where the step has yet to run.
+// The preview of what the hand does to a region, shown on the other side of a plane too, where the step has
+// yet to run.
 #ifndef oversketch_applications_studio_tools_both_sides_h
 #define oversketch_applications_studio_tools_both_sides_h
 
 #include "step.h"
+#include "turning_normals.h"
 
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -24,7 +26,6 @@ public:
   vtkPolyData* show(vtkPolyData* live, vtkOversketchEdit* edit, const oversketch_session::MirrorPlane& plane);
 
 private:
-  using Vector = std::array<double, 3>;
   // A point of the mesh, and the place of the region that it is seen at.
   struct Follower
   {
@@ -32,25 +33,16 @@ private:
     std::array<vtkIdType, 3> corners;
     std::array<double, 3> weights;
   };
-  struct Face
-  {
-    std::array<vtkIdType, 3> points;
-    std::array<int, 3> turned; // places in Turned, or -1
-  };
   void bind(vtkPolyData* live,
     vtkPolyData* rest,
     vtkPolyData* moved,
     const oversketch_session::MirrorPlane& plane);
-  void findTurned(vtkPolyData* live);
-  std::vector<Vector> normals(vtkPolyData* mesh) const;
 
-  // What it was bound to.
+  // Things that it was bound to.
   const void *Cells = nullptr, *RestPoints = nullptr;
   oversketch_session::MirrorPlane Plane;
   std::vector<Follower> Followers;
-  std::vector<vtkIdType> Turned; // points whose normals change
-  std::vector<Face> Faces;       // round them
-  std::vector<Vector> Before;    // their normals at rest
+  TurningNormals Normals;
   vtkNew<vtkPolyData> Shown;
 };
 

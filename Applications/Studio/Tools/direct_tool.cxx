@@ -43,9 +43,8 @@ QVector<QPair<QString, QString>> DirectTool::ways() const
 
 QString DirectTool::way() const
 {
-  return tr(
-    "Drag the red line, or click on it for a handle with axes: inner third moves, middle scales, outer "
-    "rotates. Shift over line or ring redraws a part. Return: done with it.");
+  return tr("Drag the red line, or click on it for a handle with axes: inner third moves, middle scales, "
+            "outer rotates. Shift over line or ring redraws a part. Return: done with it.");
 }
 
 } // namespace oversketch_studio

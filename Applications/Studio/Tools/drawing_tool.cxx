@@ -82,8 +82,8 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
       }
       emit this->left();
     });
-  this->Handles.moved = [this](const PartPlace& place, bool goesOn)
-  { emit this->placed(this->node(), place, goesOn); };
+  this->Handles.moved = [this](const PartPlace& place, bool mergesIntoLast)
+  { emit this->placed(this->node(), place, mergesIntoLast); };
   this->Handles.givenUp = [this] { emit Tool::givenUp(); };
   connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
   connect(document, &Document::opened, this, &DrawingTool::follow);
@@ -143,8 +143,8 @@ QString DrawingTool::need() const
   {
     return this->Arranged
              ? tr("Close the outline: end it where it began, or draw what is missing.")
-             : tr("Close the outline: end it where it began, or draw what is missing with Shift "
-                  "from one end to the other. Outlines of several lines: tick Strokes may cross.");
+             : tr("Close the outline: end it where it began, or draw what is missing with Shift from one end "
+                  "to the other. Outlines of several lines: tick Strokes may cross.");
   }
   return {};
 }
@@ -222,17 +222,15 @@ QString DrawingTool::advice(const Situation&) const
   {
     return tr("The last model stays: %1").arg(this->inLines(states[indexOf(at)].failure));
   }
-  if (this->OpenDocument->session().nodes[indexOf(at)].step->part)
+  if (this->OpenDocument->nodeAt(at)->step->part)
   {
-    return tr(
-      "Over the model: drag the box's middle to move the part, a corner for its size, the orange handle "
-      "for its depth. D pulls a limb of the model.");
+    return tr("Over the model: drag the box's middle to move the part, a corner for its size, the orange "
+              "handle for its depth. D pulls a limb of the model.");
   }
   if (countOf(this->Pad->widget()->GetCurves(), closedFeature) > 0)
   {
-    return tr(
-      "Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part of "
-      "it. D pulls a limb of the model.");
+    return tr("Click in the inner line: hole, tunnel, filled again. Shift + drag over a line redraws a part "
+              "of it. D pulls a limb of the model.");
   }
   return tr("Draw a feature inside, or a closed line that a click makes a hole. Shift + drag over a line "
             "redraws a part of it. D pulls a limb of the model.");
@@ -240,12 +238,11 @@ QString DrawingTool::advice(const Situation&) const
 
 QString DrawingTool::stage(const QString& name) const
 {
-  if (name == "Inflate" || name == "Extrude" || name == "Tunnel" || name == "ProjectTexture")
+  if (QStringList{ "Inflate", "Extrude", "Tunnel", "ProjectTexture" }.contains(name))
   {
     return tr("Inflating");
   }
-  if (name == "Canvas" || name == "MagneticSnap" || name == "Resample" || name == "Arrange" ||
-      name == "Classify" || name == "Treatment")
+  if (QStringList{ "Canvas", "MagneticSnap", "Resample", "Arrange", "Classify", "Treatment" }.contains(name))
   {
     return tr("Reading the drawing");
   }
@@ -291,16 +288,19 @@ int DrawingTool::node() const
     return -1;
   }
   const auto& nodes = this->OpenDocument->session().nodes;
-  const auto isDrawing = [](const Node& one) { return one.step->system == drawingSystem; };
-  auto it = std::find_if(
-    nodes.begin(), nodes.end(), [&](const Node& one) { return isDrawing(one) && one.id == this->Drawing; });
-  it = it == nodes.end() ? std::find_if(nodes.begin(), nodes.end(), isDrawing) : it;
-  return it == nodes.end() ? -1 : static_cast<int>(it - nodes.begin());
+  const int selected = rowOf(nodes, this->Drawing);
+  if (this->OpenDocument->isOf(selected, drawingSystem))
+  {
+    return selected;
+  }
+  const auto first = std::find_if(
+    nodes.begin(), nodes.end(), [](const Node& one) { return one.step->system == drawingSystem; });
+  return first == nodes.end() ? -1 : static_cast<int>(first - nodes.begin());
 }
 
 void DrawingTool::select(int node)
 {
-  const Node* one = node < 0 ? nullptr : &this->OpenDocument->session().nodes[indexOf(node)];
+  const Node* one = this->OpenDocument->nodeAt(node);
   if (one && one->step->system == drawingSystem && one->id != this->Drawing)
   {
     this->Drawing = one->id;
@@ -365,7 +365,7 @@ void DrawingTool::follow()
     this->Strokes.clear();
     return;
   }
-  const Node& node = this->OpenDocument->session().nodes[indexOf(at)];
+  const Node& node = *this->OpenDocument->nodeAt(at);
   const Step& step = *node.step;
   this->Handles.show(this->Held ? step.part : std::nullopt);
   this->Drawing = node.id;
@@ -409,24 +409,24 @@ void DrawingTool::follow()
   const bool judgedAnew = std::exchange(this->Arranged, arranged) != arranged;
   this->Pad->widget()->SetArrange(arranged);
   const auto identity = drawn ? drawn->identity() : nullptr;
-  if (identity != this->Shown)
+  const bool isOther = identity != this->Shown;
+  if (isOther)
   {
     this->Shown = identity;
     this->Redrawn = -1;
     this->Strokes = strokesOf(drawing);
     this->Pad->widget()->SetDrawing(drawing ? strokesThatAreOn(drawing) : nullptr);
-    this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
-  else if (judgedAnew)
+  if (isOther || judgedAnew)
   {
     this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
 }
 
-// Of the drawing that has been taken up, where nobody has it yet.
+// Reads that of the drawing that has been taken up, where nobody has it yet.
 void DrawingTool::readPicture()
 {
-  if (isLongWorkGoing())
+  if (!longWorkGoing().isEmpty())
   {
     QTimer::singleShot(picturePatience, this, &DrawingTool::readPicture);
     return;
@@ -437,7 +437,7 @@ void DrawingTool::readPicture()
   {
     return;
   }
-  const Image* image = pictureUnder(*this->OpenDocument->session().nodes[indexOf(at)].step);
+  const Image* image = pictureUnder(*this->OpenDocument->nodeAt(at)->step);
   if (!image || image->bytes != bytes)
   {
     return; // of another drawing
@@ -487,8 +487,8 @@ void DrawingTool::take()
   {
     next.push_back(now[k]);
   }
-  const Step step = withDrawing(*this->OpenDocument->session().nodes[indexOf(at)].step,
-    drawingOf(next, this->Pad->widget()->GetDrawing()));
+  const Step step =
+    withDrawing(*this->OpenDocument->nodeAt(at)->step, drawingOf(next, this->Pad->widget()->GetDrawing()));
   if (!replaces) // the pad shows it already
   {
     this->Strokes = next;

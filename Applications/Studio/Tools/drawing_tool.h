@@ -73,7 +73,7 @@ private:
   // The hand has changed the drawing on the pad.
   void take();
   QString need() const; // what the drawing lacks, in words
-  // What a filter says of strokes, counted from 0 where they are on, in words of the list's lines.
+  // Puts what a filter says of strokes, counted from 0 where they are on, into words of the list's lines.
   QString inLines(const oversketch::Message& message) const;
 
   Viewport* View;

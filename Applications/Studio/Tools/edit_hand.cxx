@@ -1,7 +1,6 @@
 #include "edit_hand.h"
 
 #include "document.h"
-#include "edit_step.h"
 #include "latency.h"
 #include "message_text.h"
 #include "viewport.h"
@@ -22,7 +21,7 @@
 #include "vtkOversketchRegionWidget.h"
 #include "vtkOversketchStrokeWidget.h"
 
-#include "vtkCallbackCommand.h"
+#include "vtkCommand.h"
 #include "vtkPolyData.h"
 #include "vtkRenderWindowInteractor.h"
 
@@ -49,23 +48,19 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
   , Soon(new QTimer(this))
   , Mode(vtkOversketchEditWidget::Direct)
 {
-  this->Loaded.step.system = editSystem;
   this->Widget->SetInteractor(viewport->interactor());
   this->Widget->SetDefaultRenderer(viewport->renderer());
   this->Widget->SetCurrentRenderer(viewport->renderer());
   this->Widget->RegionInAllModesOn();
   // Triangles are the document's, on a thread of its own.
   this->Widget->GetEdit()->SetRuleToOff();
-  this->Observer->SetClientData(this);
-  this->Observer->SetCallback([](vtkObject*, unsigned long event, void* self, void* text)
-    { static_cast<EditHand*>(self)->heard(event, static_cast<const char*>(text)); });
   for (const unsigned long event : { vtkCommand::StartInteractionEvent,
          vtkCommand::InteractionEvent,
          vtkCommand::EndInteractionEvent,
          vtkCommand::WidgetValueChangedEvent,
          vtkCommand::MessageEvent })
   {
-    this->Widget->AddObserver(event, this->Observer);
+    this->Widget->AddObserver(event, this, &EditHand::heard);
   }
   this->Soon->setSingleShot(true);
   connect(this->Soon, &QTimer::timeout, this, &EditHand::arrange);
@@ -94,7 +89,7 @@ EditHand::EditHand(Viewport* viewport, const Document* document)
 
 EditHand::~EditHand()
 {
-  this->Widget->RemoveObserver(this->Observer);
+  this->Widget->RemoveAllObservers();
   this->Widget->SetEnabled(0);
   this->Widget->SetInteractor(nullptr);
 }
@@ -136,23 +131,25 @@ void EditHand::offer(const Step& step, const Worker::NodeState& state)
   this->OfferedId = id;
   this->Offered = step;
   this->State = state;
-  this->Buried = !this->later().empty();
   this->arrange();
 }
 
-// The places of those steps after the offered one that are on and shown.
+// The places of those steps after the offered one that are on and shown; none while a line waits for its
+// ring.
 std::vector<std::size_t> EditHand::later() const
 {
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const auto isOffered = [this](const Node& node) { return node.id == this->OfferedId; };
-  const auto offered = std::find_if(nodes.begin(), nodes.end(), isOffered);
-  std::vector<std::size_t> places;
-  const std::size_t shown = indexOf(this->OpenDocument->shownTo());
-  for (auto i = static_cast<std::size_t>(offered - nodes.begin()) + 1; i < shown; ++i)
+  if (!this->Offered || this->isLineAlone())
   {
-    if (nodes[i].on)
+    return {};
+  }
+  const auto& nodes = this->OpenDocument->session().nodes;
+  const int offered = rowOf(nodes, this->OfferedId), shown = this->OpenDocument->shownTo();
+  std::vector<std::size_t> places;
+  for (int i = offered + 1; offered >= 0 && i < shown; ++i)
+  {
+    if (nodes[indexOf(i)].on)
     {
-      places.push_back(i);
+      places.push_back(indexOf(i));
     }
   }
   return places;
@@ -162,7 +159,7 @@ QStringList EditHand::lost() const
 {
   QStringList names;
   const auto& states = this->OpenDocument->result().nodes;
-  for (const std::size_t i : this->Buried ? this->later() : std::vector<std::size_t>())
+  for (const std::size_t i : this->later())
   {
     if (i < states.size() && (!states[i].failure.empty() || states[i].elsewhere))
     {
@@ -228,12 +225,19 @@ void EditHand::setMesh(vtkPolyData* mesh)
   }
 }
 
+std::array<vtkOversketchStrokeWidget*, 3> EditHand::pens() const
+{
+  return { this->Widget->GetRegionWidget()->GetPen(),
+    this->Widget->GetAreaSelectWidget()->GetPen(),
+    this->Widget->GetProfilePlaneWidget()->GetPen() };
+}
+
 bool EditHand::draws() const
 {
-  return this->Widget->GetRegionWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetAreaSelectWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetDiscAreaWidget()->GetPen()->IsDrawing() ||
-         this->Widget->GetProfilePlaneWidget()->GetPen()->IsDrawing();
+  const auto pens = this->pens();
+  return this->Widget->GetDiscAreaWidget()->GetPen()->IsDrawing() ||
+         std::any_of(
+           pens.begin(), pens.end(), [](vtkOversketchStrokeWidget* pen) { return pen->IsDrawing(); });
 }
 
 bool EditHand::moves() const
@@ -247,6 +251,11 @@ bool EditHand::moves() const
 bool EditHand::hasLine() const
 {
   return this->Widget->GetRegionWidget()->HasReference();
+}
+
+bool EditHand::isLineAlone() const
+{
+  return !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
 }
 
 bool EditHand::hasRegion() const
@@ -265,17 +274,18 @@ void EditHand::setPixelRatio(double ratio)
 
 void EditHand::setSteadiness(double pixels)
 {
-  const double steady = pixels * this->View->devicePixelRatioF();
-  this->Widget->GetRegionWidget()->GetPen()->SetStabilizer(steady);
-  this->Widget->GetAreaSelectWidget()->GetPen()->SetStabilizer(steady);
-  this->Widget->GetProfilePlaneWidget()->GetPen()->SetStabilizer(steady);
+  for (vtkOversketchStrokeWidget* pen : this->pens())
+  {
+    pen->SetStabilizer(pixels * this->View->devicePixelRatioF());
+  }
 }
 
 void EditHand::setPressure(double pressure)
 {
-  this->Widget->GetRegionWidget()->GetPen()->SetPressure(pressure);
-  this->Widget->GetAreaSelectWidget()->GetPen()->SetPressure(pressure);
-  this->Widget->GetProfilePlaneWidget()->GetPen()->SetPressure(pressure);
+  for (vtkOversketchStrokeWidget* pen : this->pens())
+  {
+    pen->SetPressure(pressure);
+  }
 }
 
 void EditHand::showLines(bool show)
@@ -309,7 +319,7 @@ void EditHand::arrangeSoon()
   this->Soon->start(0);
 }
 
-// What the hand has before it: the step that is offered, or one to come.
+// Gives the hand what it has before it: the step that is offered, or one to come.
 void EditHand::arrange()
 {
   this->Soon->stop();
@@ -323,10 +333,7 @@ void EditHand::arrange()
     return;
   }
   this->Late = false;
-  const bool isLineAlone =
-    !this->Loaded.isInHistory && !this->Loaded.step.inputs.empty() && !this->hasRegion();
-  this->Buried = this->Buried && this->Offered && !isLineAlone;
-  if (!this->Offered || isLineAlone)
+  if (!this->Offered || this->isLineAlone())
   {
     this->begin();
   }
@@ -337,7 +344,7 @@ void EditHand::arrange()
   else
   {
     this->load({ *this->Offered, true, this->State.before, this->State.given, this->OfferedId });
-    if (this->wantsAnother(*this->Offered) && !this->goOn())
+    if (this->wantsAnother(*this->Offered) && !this->beginNext())
     {
       this->rest(); // until its mesh is there
     }
@@ -353,23 +360,23 @@ void EditHand::arrange()
 
 void EditHand::rest()
 {
-  this->load({ { editSystem, {}, {}, {}, {} }, false, {}, {}, 0 });
+  this->load(Work());
   this->Widget->SetEnabled(0);
 }
 
 void EditHand::begin()
 {
-  const SharedData& mesh = this->OpenDocument->result().mesh;
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
+  Work work;
+  work.mesh = this->OpenDocument->result().mesh;
+  if (!work.mesh)
+  {
+    this->rest();
+    return;
+  }
   if (!this->Loaded.isInHistory)
   {
     work.step = this->Loaded.step; // with its line
     work.given = this->Loaded.given;
-  }
-  if (!mesh)
-  {
-    this->rest();
-    return;
   }
   this->load(work);
 }
@@ -383,14 +390,15 @@ bool EditHand::wantsAnother(const Step& step) const
 }
 
 // The next step, on the mesh that this one makes, by its line and its ring where it has left them.
-bool EditHand::goOn()
+bool EditHand::beginNext()
 {
   const SharedData& mesh = this->OpenDocument->result().mesh;
   if (this->OpenDocument->isBusy() || !mesh || !this->hasRegion())
   {
     return false;
   }
-  Work work{ { editSystem, {}, {}, {}, {} }, false, mesh, {}, 0 };
+  Work work;
+  work.mesh = mesh;
   const auto copyOf = [](vtkPolyData* curve)
   {
     auto copy = vtkSmartPointer<vtkPolyData>::New();
@@ -417,7 +425,7 @@ void EditHand::applyMode()
   this->View->setHandCursor(pen ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-void EditHand::heard(unsigned long event, const char* text)
+void EditHand::heard(vtkObject*, unsigned long event, void* text)
 {
   if (this->Loading)
   {
@@ -452,7 +460,7 @@ void EditHand::heard(unsigned long event, const char* text)
       this->publish();
       break;
     default:
-      this->Message = QString::fromUtf8(text);
+      this->Message = QString::fromUtf8(static_cast<const char*>(text));
       emit this->left();
   }
 }
@@ -488,7 +496,7 @@ void EditHand::stopFollowing()
   }
 }
 
-// What the hand has made, once the widget has run it.
+// Publishes what the hand has made, once the widget has run it.
 void EditHand::publish()
 {
   const vtkOversketchRegionWidget* region = this->Widget->GetRegionWidget();
@@ -520,7 +528,6 @@ void EditHand::publish()
     this->State.before = this->Loaded.mesh;
     this->State.given = this->Loaded.given;
     this->LeftId = 0;
-    this->Buried = this->Buried && !isNew;
     if (this->isMoved())
     {
       this->View->showPreview(this->live()); // until the result comes
@@ -552,7 +559,7 @@ bool EditHand::isMoved() const
          this->Loaded.step.inputs.count(profileInput) > 0;
 }
 
-// What cannot be is taken back, and why is said.
+// Takes back what cannot be, and says why.
 void EditHand::refuse(const QString& why)
 {
   const bool isRing = this->Widget->GetRegionWidget()->HasBoundary(), isNew = !this->Loaded.isInHistory;

@@ -1,9 +1,10 @@
-// What the tools of system B share: a line on the model and a ring round it, kept from one tool to the next,
-// and the edit of what lies between, which the model follows while the hand changes it.
+// The hand that the tools of system B share: a line on the model and a ring round it, kept from one tool to
+// the next, and the edit of what lies between, which the model follows while the hand changes it.
 #ifndef oversketch_applications_studio_tools_edit_hand_h
 #define oversketch_applications_studio_tools_edit_hand_h
 
 #include "both_sides.h"
+#include "edit_step.h"
 #include "picture_files.h"
 #include "step.h"
 #include "worker.h"
@@ -15,6 +16,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -22,8 +24,9 @@
 #include <vector>
 
 class QTimer;
-class vtkCallbackCommand;
+class vtkObject;
 class vtkOversketchEditWidget;
+class vtkOversketchStrokeWidget;
 class vtkPolyData;
 
 namespace oversketch_studio
@@ -60,9 +63,9 @@ public:
   bool hasLine() const;
   bool hasRegion() const;
   // Whether later steps act on the one that is offered; names of those that do nothing, or act elsewhere.
-  bool isUnderOthers() const { return this->Buried; }
+  bool isUnderOthers() const { return !this->later().empty(); }
   QStringList lost() const;
-  // What the hand is to be told; empty where there is nothing.
+  // The words that the hand is to be told; empty where there is nothing.
   const QString& message() const { return this->Message; }
   vtkOversketchEditWidget* widget() const { return this->Widget; }
   // How many greys the layers are shown in.
@@ -82,26 +85,29 @@ signals:
 
 private:
   using Step = oversketch_session::Step;
-  // What the widget is given.
+  // A task for the widget.
   struct Work
   {
-    Step step;                                                   // of the system
+    Step step{ editSystem, {}, {}, {}, {} };
     bool isInHistory = false;                                    // else it will be
     oversketch_session::SharedData mesh;                         // that it acts on
     std::map<std::string, oversketch_session::SharedData> given; // of other steps
     int id = 0;                                                  // of the step in the history
   };
 
-  void heard(unsigned long event, const char* text);
+  void heard(vtkObject* from, unsigned long event, void* text);
   void arrange();
   void arrangeSoon();
   void rest();
   std::vector<std::size_t> later() const;
+  bool isLineAlone() const;
+  // Those in the view; the disc's is in a window of its own.
+  std::array<vtkOversketchStrokeWidget*, 3> pens() const;
   bool hasWeights();
   void dropLine();
   // An edit that begins on what is shown; one of the region that the offered one leaves.
   void begin();
-  bool goOn();
+  bool beginNext();
   bool wantsAnother(const Step& step) const;
   void load(const Work& work, bool again = false);
   void loadCurves(const Work& work);
@@ -123,10 +129,9 @@ private:
   vtkNew<vtkOversketchEditWidget> Widget;
   vtkNew<vtkPolyData> Live;
   BothSides Mirrored;
-  vtkNew<vtkCallbackCommand> Observer;
   QTimer* Soon;
   int Mode;
-  bool Held = false, Loading = false, Late = false, Buried = false;
+  bool Held = false, Loading = false, Late = false;
   std::optional<Step> Offered;
   SharedPicture Weights; // of the offered step, decoded; null: it has none, or they are to come
   oversketch_session::Worker::NodeState State; // of the offered step

@@ -1,4 +1,4 @@
-// What the widget of the edit is given, and what it has made of it.
+// The data that the widget of the edit is given, and what it has made of it.
 #include "document.h"
 #include "drawing_lines.h"
 #include "edit_hand.h"

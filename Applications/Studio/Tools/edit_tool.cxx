@@ -1,7 +1,6 @@
 #include "edit_tool.h"
 
-#include "edit_hand.h"
-#include "viewport.h"
+#include <QStringList>
 
 namespace oversketch_studio
 {
@@ -14,43 +13,25 @@ EditTool::EditTool(const std::shared_ptr<EditHand>& hand, int mode, Viewport* vi
   , Mode(mode)
   , View(viewport)
 {
-  const auto isHeld = [this] { return this->View->tool() == this; };
-  connect(hand.get(),
-    &EditHand::drawn,
-    this,
-    [this, isHeld](const Step& step)
-    {
-      if (isHeld())
-      {
-        emit this->drawn(step);
-      }
-    });
-  connect(hand.get(),
-    &EditHand::remade,
-    this,
-    [this, isHeld](const Step& step)
-    {
-      if (isHeld())
-      {
-        emit this->remade(step);
-      }
-    });
-  for (const auto signal : { &EditHand::left, &EditHand::arranged })
+  // The others have the same hand.
+  const auto pass = [&](auto signal, auto own)
   {
     connect(hand.get(),
       signal,
       this,
-      [this, isHeld]
+      [this, own](const auto&... what)
       {
-        if (isHeld())
+        if (this->isHeld())
         {
-          emit this->left();
+          emit(this->*own)(what...);
         }
       });
-  }
+  };
+  pass(&EditHand::drawn, &Tool::drawn);
+  pass(&EditHand::remade, &Tool::remade);
+  pass(&EditHand::left, &Tool::left);
+  pass(&EditHand::arranged, &Tool::left);
 }
-
-EditTool::~EditTool() = default;
 
 QVector<QPair<QString, QString>> EditTool::keys() const
 {
@@ -81,8 +62,8 @@ QString EditTool::advice(const Situation& situation) const
   }
   if (const QStringList lost = this->Hand->lost(); !lost.isEmpty())
   {
-    return tr("Later steps do nothing now, or act elsewhere: %1. Their rows say more; Ctrl+Z takes the "
-              "change back.")
+    return tr(
+      "Later steps do nothing now, or act elsewhere: %1. Their rows say more; Ctrl+Z takes the change back.")
       .arg(lost.join(", "));
   }
   if (situation.redraws)
@@ -91,9 +72,8 @@ QString EditTool::advice(const Situation& situation) const
   }
   if (!this->Hand->hasLine())
   {
-    return tr(
-      "Draw a line on the model, then a ring round it: what lies between follows the line. The middle "
-      "button turns the model, F1 lists the keys.");
+    return tr("Draw a line on the model, then a ring round it: what lies between follows the line. The "
+              "middle button turns the model, F1 lists the keys.");
   }
   if (!this->Hand->hasRegion())
   {
@@ -114,79 +94,31 @@ QString EditTool::stage(const QString& name) const
   {
     return tr("Making triangles");
   }
-  if (name == "Flatten" || name == "Distance" || name == "Areas" || name == "Shading" || name == "Texture")
+  if (QStringList{ "Flatten", "Distance", "Areas", "Shading", "Texture" }.contains(name))
   {
     return tr("Shading the region");
   }
-  if (name == "Handles" || name == "Deform" || name == "Bend" || name == "Planes" || name == "Section" ||
-      name == "Redraw")
+  if (QStringList{ "Handles", "Deform", "Bend", "Planes", "Section", "Redraw" }.contains(name))
   {
     return tr("Deforming");
   }
   return tr("Laying line and ring on the model");
 }
 
-void EditTool::select(int)
-{
-  this->Hand->select();
-}
-
-void EditTool::start()
-{
-  this->Hand->takeUp(this->Mode);
-}
-
-void EditTool::stop()
-{
-  this->Hand->putDown();
-}
-
-bool EditTool::draws() const
-{
-  return this->Hand->draws();
-}
-
-bool EditTool::moves() const
-{
-  return this->Hand->moves();
-}
-
-void EditTool::offer(const Step& step, const Worker::NodeState& state, const Point&)
-{
-  this->Hand->offer(step, state);
-}
-
-void EditTool::offerNothing()
-{
-  this->Hand->offerNothing();
-}
-
 void EditTool::setMesh(vtkPolyData* mesh)
 {
-  if (this->View->tool() == this)
+  if (this->isHeld())
   {
     this->Hand->setMesh(mesh);
   }
 }
 
-void EditTool::setPixelRatio(double ratio)
+void EditTool::setDark(bool dark)
 {
-  this->Hand->setPixelRatio(ratio);
-}
-
-void EditTool::setSteadiness(double pixels)
-{
-  this->Hand->setSteadiness(pixels);
-}
-
-void EditTool::setPressure(double pressure)
-{
-  this->Hand->setPressure(pressure);
-}
-
-void EditTool::showLines(bool show)
-{
-  this->Hand->showLines(show);
+  if (this->Panel)
+  {
+    this->Panel->setDark(dark);
+  }
 }
 
 } // namespace oversketch_studio

@@ -2,15 +2,17 @@
 #ifndef oversketch_applications_studio_tools_edit_tool_h
 #define oversketch_applications_studio_tools_edit_tool_h
 
+#include "edit_hand.h"
+#include "edit_panel.h"
 #include "tool.h"
+#include "viewport.h"
+
+#include <QPointer>
 
 #include <memory>
 
 namespace oversketch_studio
 {
-
-class EditHand;
-class Viewport;
 
 class EditTool : public Tool
 {
@@ -19,7 +21,6 @@ class EditTool : public Tool
 public:
   // For a mode of the hand (vtkOversketchEditWidget::ModeType), which it shares with the other tools.
   EditTool(const std::shared_ptr<EditHand>& hand, int mode, Viewport* viewport);
-  ~EditTool() override;
 
   QVector<QPair<QString, QString>> keys() const override;
   QString hint() const override;
@@ -28,28 +29,35 @@ public:
   bool judges() const override;
   QString stage(const QString& name) const override;
   std::string system() const override { return "Edit"; }
-  void select(int node) override;
-  void start() override;
-  void stop() override;
-  bool draws() const override;
-  bool moves() const override;
+  void select(int) override { this->Hand->select(); }
+  void start() override { this->Hand->takeUp(this->Mode); }
+  void stop() override { this->Hand->putDown(); }
+  bool draws() const override { return this->Hand->draws(); }
+  bool moves() const override { return this->Hand->moves(); }
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,
-    const oversketch_session::Point& place) override;
-  void offerNothing() override;
+    const oversketch_session::Point&) override
+  {
+    this->Hand->offer(step, state);
+  }
+  void offerNothing() override { this->Hand->offerNothing(); }
   void setMesh(vtkPolyData* mesh) override;
-  void setPixelRatio(double ratio) override;
-  void setSteadiness(double pixels) override;
-  void setPressure(double pressure) override;
-  void showLines(bool show) override;
+  void setPixelRatio(double ratio) override { this->Hand->setPixelRatio(ratio); }
+  void setSteadiness(double pixels) override { this->Hand->setSteadiness(pixels); }
+  void setPressure(double pressure) override { this->Hand->setPressure(pressure); }
+  void showLines(bool show) override { this->Hand->showLines(show); }
+  void setDark(bool dark) override;
 
   EditHand& hand() const { return *this->Hand; }
 
 protected:
-  // What can be done to a region with it, for the list of keys and as advice.
+  // The things that can be done to a region with it, for the list of keys and as advice.
   virtual QVector<QPair<QString, QString>> ways() const = 0;
   virtual QString way() const = 0;
   Viewport* viewport() const { return this->View; }
+  bool isHeld() const { return this->View->tool() == this; }
+
+  QPointer<EditPanel> Panel; // null: it has none
 
 private:
   std::shared_ptr<EditHand> Hand;

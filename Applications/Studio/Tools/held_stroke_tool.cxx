@@ -68,7 +68,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
   this->Widget->SetDefaultRenderer(viewport->renderer());
   this->Widget->GetHeldStrokeRepresentation()->ShowFromElsewhereOff(); // StrokeLines does
   this->Widget->AddObserver(vtkCommand::StartInteractionEvent, this, &HeldStrokeTool::begins);
-  this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &HeldStrokeTool::goesOn);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, this, &HeldStrokeTool::handMoves);
   this->Widget->AddObserver(vtkCommand::EndInteractionEvent, this, &HeldStrokeTool::letGo);
   this->Widget->AddObserver(vtkCommand::WidgetValueChangedEvent, this, &HeldStrokeTool::strokeEnds);
   // Return leaves the stroke alone, so that the next one can begin on it; a move of the camera, its preview.
@@ -128,9 +128,8 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   label->setBuddy(this->Mirror);
   this->Mirror->setObjectName("mirror");
   this->Mirror->setAccessibleName(tr("Mirror"));
-  this->Mirror->setToolTip(tr(
-    "What you draw next also acts on the other side of this plane, whether the two sides are alike or not. "
-    "Off: on one side only."));
+  this->Mirror->setToolTip(tr("What you draw next also acts on the other side of this plane, whether the two "
+                              "sides are alike or not. Off: on one side only."));
   auto* row = new QHBoxLayout(options);
   row->setContentsMargins(6, 0, 6, 0);
   row->addWidget(label);
@@ -139,8 +138,13 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
   connect(this->Mirror,
     QOverload<int>::of(&QComboBox::activated),
     this,
-    [this] { this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex())); });
+    [this] { this->View->showMirror(this->mirrorPlane()); });
   return options;
+}
+
+std::optional<MirrorPlane> HeldStrokeTool::mirrorPlane() const
+{
+  return this->Mirror ? this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()) : std::nullopt;
 }
 
 Values HeldStrokeTool::options() const
@@ -154,7 +158,7 @@ void HeldStrokeTool::setOptions(const Values& options)
   if (this->Mirror && mirror != options.end())
   {
     this->Mirror->setCurrentIndex(std::clamp(std::get<int>(mirror->second), 0, this->Mirror->count() - 1));
-    this->View->showMirror(this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()));
+    this->View->showMirror(this->mirrorPlane());
   }
 }
 
@@ -257,7 +261,7 @@ void HeldStrokeTool::begins()
   }
 }
 
-void HeldStrokeTool::goesOn()
+void HeldStrokeTool::handMoves()
 {
   if (this->moves())
   {
@@ -283,7 +287,7 @@ void HeldStrokeTool::strokeEnds()
   if (this->Widget->IsNew())
   {
     this->Followed = nullptr; // until it has been run
-    step.mirror = this->Mirror ? this->OpenDocument->mirrorPlane(this->Mirror->currentIndex()) : std::nullopt;
+    step.mirror = this->mirrorPlane();
     emit this->drawn(step);
     return;
   }

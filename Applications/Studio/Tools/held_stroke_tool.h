@@ -10,6 +10,7 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 class vtkOversketchHeldStrokeWidget;
@@ -26,8 +27,8 @@ class HeldStrokeTool : public Tool
   Q_OBJECT
 
 public:
-  // Of a system of the list. `look` is how it is asked what is to be seen under the pen, on a thread of its
-  // own.
+  // Draws for a system of the list. `look` is how it is asked what is to be seen under the pen, on a thread
+  // of its own.
   HeldStrokeTool(const std::string& system,
     Viewport* viewport,
     const Document* document,
@@ -62,7 +63,7 @@ public:
   void showLines(bool show) override;
 
 protected:
-  // What new steps are made with beside their stroke, also the one whose stroke is being drawn.
+  // Sets what new steps are made with beside their stroke, also the one whose stroke is being drawn.
   void setValues(const oversketch_session::Values& values);
   // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
   // the stroke would make is looked for there while it is moved.
@@ -71,8 +72,9 @@ protected:
   const Document* document() const { return this->OpenDocument; }
 
 private:
+  std::optional<oversketch_session::MirrorPlane> mirrorPlane() const;
   void begins();
-  void goesOn();
+  void handMoves();
   void strokeEnds();
   void followHand();
   void letGo();

@@ -38,17 +38,16 @@ QString OneStrokeTool::advice(const Situation& situation) const
   }
   if (situation.selected)
   {
-    return tr("Blue is where the selected stroke took hold. Change how it acts on the right, or "
-              "redraw it (Ctrl+R).");
+    return tr(
+      "Blue is where the selected stroke took hold. Change how it acts on the right, or redraw it (Ctrl+R).");
   }
   if (situation.empty || !situation.holds)
   {
-    return tr("Draw a line beside a limb's outline: the limb follows. The middle button "
-              "turns the model, F1 lists the keys.");
+    return tr("Draw a line beside a limb's outline: the limb follows. The middle button turns the model, F1 "
+              "lists the keys.");
   }
-  return tr("Draw on, or drag the red line to move the stroke (Shift: redraw a part; Return: "
-            "leave it and draw there). Ctrl+Z undoes. The "
-            "middle button turns the model.");
+  return tr("Draw on, or drag the red line to move the stroke (Shift: redraw a part; Return: leave it and "
+            "draw there). Ctrl+Z undoes. The middle button turns the model.");
 }
 
 QString OneStrokeTool::stage(const QString& name) const

@@ -201,9 +201,9 @@ void PartHandles::heard(unsigned long event)
     if (!(place == *this->Place))
     {
       this->Place = place;
-      const bool goesOn = std::exchange(this->Held->goesOn, true);
+      const bool mergesIntoLast = std::exchange(this->Held->hasMoved, true);
       this->View->renderSoon();
-      this->moved(place, goesOn);
+      this->moved(place, mergesIntoLast);
     }
   }
   else if (event == vtkCommand::LeftButtonReleaseEvent)
@@ -212,7 +212,7 @@ void PartHandles::heard(unsigned long event)
   }
   else if (interactor->GetKeySym() && std::string(interactor->GetKeySym()) == "Escape")
   {
-    const bool wasMoved = this->Held->goesOn;
+    const bool wasMoved = this->Held->hasMoved;
     this->Held.reset();
     if (wasMoved)
     {

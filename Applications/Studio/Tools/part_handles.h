@@ -26,8 +26,9 @@ public:
   PartHandles(const PartHandles&) = delete;
   PartHandles& operator=(const PartHandles&) = delete;
 
-  // A drag has put the part there; `goesOn`: of the same drag as the last time. It was given up (Escape).
-  std::function<void(const oversketch_session::PartPlace& place, bool goesOn)> moved;
+  // A drag has put the part there; `mergesIntoLast`: of the same drag as the last time. It was given up
+  // (Escape).
+  std::function<void(const oversketch_session::PartPlace& place, bool mergesIntoLast)> moved;
   std::function<void()> givenUp;
 
   // Shows the box of a part, or none.
@@ -45,7 +46,7 @@ private:
     PartHandle handle;
     oversketch::Vector2 start;
     oversketch_session::PartPlace from;
-    bool goesOn = false;
+    bool hasMoved = false;
   };
 
   void heard(unsigned long event);

@@ -1,5 +1,5 @@
-// What the stroke being drawn takes hold of, shown blue under the pen: found away from the interface's
-// thread, so that the line is drawn without waiting for it.
+// The place that the stroke being drawn takes hold of, shown blue under the pen: found away from the
+// interface's thread, so that the line is drawn without waiting for it.
 #ifndef oversketch_applications_studio_tools_pen_section_h
 #define oversketch_applications_studio_tools_pen_section_h
 
@@ -21,7 +21,7 @@ class PenSection : public QObject
   Q_OBJECT
 
 public:
-  // Of strokes of a system, and of a widget, which must outlive it.
+  // Looks at strokes of a system and of a widget, which must outlive it.
   PenSection(const oversketch_session::SystemRow& system,
     vtkOversketchHeldStrokeWidget* widget,
     oversketch_session::SectionFinder::Look look = {},

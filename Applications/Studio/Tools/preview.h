@@ -3,15 +3,11 @@
 #define oversketch_applications_studio_tools_preview_h
 
 #include "evaluator.h"
-
-#include "Mesh/mesh.h"
+#include "turning_normals.h"
 
 #include "vtkSmartPointer.h"
 
 #include <memory>
-#include <vector>
-
-class vtkPolyData;
 
 namespace oversketch_studio
 {
@@ -21,7 +17,7 @@ class Preview
 public:
   using Following = std::shared_ptr<const oversketch_session::Following>;
 
-  // Of a mesh with as many points as `following` says, which stays as it is.
+  // Moves points of a mesh with as many points as `following` says, which stays as it is.
   Preview(vtkPolyData* rest, const Following& following);
 
   // The mesh with the stroke moved by a vector [world].
@@ -30,16 +26,9 @@ public:
   vtkPolyData* rest() const { return this->Rest; }
 
 private:
-  void findPatch();
-  std::vector<oversketch::Vector3> normals();
-
   vtkSmartPointer<vtkPolyData> Rest, Shown;
   Following Followed;
-  // All triangles round points whose normals change, as they are shown, its points, and its normals at rest.
-  oversketch::Mesh Patch;
-  oversketch::Lists Around;
-  std::vector<vtkIdType> Points;
-  std::vector<oversketch::Vector3> Before;
+  TurningNormals Normals;
 };
 
 } // namespace oversketch_studio

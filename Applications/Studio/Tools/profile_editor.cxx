@@ -140,12 +140,12 @@ void ProfileEditor::showName()
   this->Presets->setCurrentIndex(choice);
 }
 
-void ProfileEditor::pointsChanged(bool goesOn)
+void ProfileEditor::pointsChanged(bool mergesIntoLast)
 {
   this->Text = textOf(this->Points);
   this->showName();
   this->Curve->update();
-  emit this->shaped(goesOn);
+  emit this->shaped(mergesIntoLast);
 }
 
 ProfileCurve::ProfileCurve(ProfileEditor* editor)
@@ -245,7 +245,7 @@ void ProfileCurve::paintEvent(QPaintEvent*)
 }
 
 // Between its neighbours; the first stays on the line.
-void ProfileCurve::moveTo(int point, QPointF to, bool goesOn)
+void ProfileCurve::moveTo(int point, QPointF to, bool mergesIntoLast)
 {
   QVector<QPointF>& all = this->Editor->Points;
   to.setX(point == 0 ? 0.0 : std::clamp(to.x(), all[point - 1].x() + apart, all[point + 1].x() - apart));
@@ -253,7 +253,7 @@ void ProfileCurve::moveTo(int point, QPointF to, bool goesOn)
   if (to != all[point])
   {
     all[point] = to;
-    this->Editor->pointsChanged(goesOn);
+    this->Editor->pointsChanged(mergesIntoLast);
   }
 }
 

@@ -31,13 +31,13 @@ public:
   static constexpr int side = 240; // px, of a panel that opens
 
 signals:
-  // By the hand; `goesOn` while the same point is dragged.
-  void shaped(bool goesOn);
+  // By the hand; `mergesIntoLast` while the same point is dragged.
+  void shaped(bool mergesIntoLast);
 
 private:
   friend class ProfileCurve;
   // The points have been changed: the shape is the polyline.
-  void pointsChanged(bool goesOn);
+  void pointsChanged(bool mergesIntoLast);
   void showName();
 
   QVector<QPointF> Points; // x rises from 0 to 1; the last one is (1, 0)
@@ -74,7 +74,7 @@ private:
   int nearest(const QPoint& place) const; // -1 where none is near
   bool isMovable(int point) const { return point >= 0 && point + 1 < this->points().size(); }
   const QVector<QPointF>& points() const { return this->Editor->Points; }
-  void moveTo(int point, QPointF to, bool goesOn);
+  void moveTo(int point, QPointF to, bool mergesIntoLast);
   int insert(const QPointF& point); // -1 where there is no room
   void remove(int point);
 

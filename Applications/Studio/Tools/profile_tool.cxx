@@ -1,9 +1,5 @@
 #include "profile_tool.h"
 
-#include "edit_hand.h"
-#include "edit_panel.h"
-#include "viewport.h"
-
 #include "vtkOversketchEditWidget.h"
 #include "vtkOversketchProfilePlaneWidget.h"
 #include "vtkOversketchProfileRepresentation.h"
@@ -51,9 +47,8 @@ QVector<QPair<QString, QString>> ProfileTool::ways() const
 
 QString ProfileTool::way() const
 {
-  return tr(
-    "Draw over the section in the dock, and the model follows; orange is its left end, the arrow points "
-    "outward. Drag the plane along the line. Return: done.");
+  return tr("Draw over the section in the dock, and the model follows; orange is its left end, the arrow "
+            "points outward. Drag the plane along the line. Return: done.");
 }
 
 QWidget* ProfileTool::makePanel(QWidget* parent)
@@ -66,14 +61,6 @@ QWidget* ProfileTool::makePanel(QWidget* parent)
   this->Panel->fit = [planes] { planes->GetProfileRepresentation()->ResetView(); };
   this->Panel->wantsKeys = [planes] { return planes->GetPen()->IsDrawing(); };
   return this->Panel;
-}
-
-void ProfileTool::setDark(bool dark)
-{
-  if (this->Panel)
-  {
-    this->Panel->setDark(dark);
-  }
 }
 
 } // namespace oversketch_studio

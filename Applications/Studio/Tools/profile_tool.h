@@ -4,12 +4,8 @@
 
 #include "edit_tool.h"
 
-#include <QPointer>
-
 namespace oversketch_studio
 {
-
-class EditPanel;
 
 class ProfileTool : public EditTool
 {
@@ -27,14 +23,10 @@ public:
   }
   QPainterPath icon() const override;
   QWidget* makePanel(QWidget* parent) override;
-  void setDark(bool dark) override;
 
 protected:
   QVector<QPair<QString, QString>> ways() const override;
   QString way() const override;
-
-private:
-  QPointer<EditPanel> Panel;
 };
 
 } // namespace oversketch_studio

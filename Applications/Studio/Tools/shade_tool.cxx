@@ -1,9 +1,5 @@
 #include "shade_tool.h"
 
-#include "edit_hand.h"
-#include "edit_panel.h"
-#include "viewport.h"
-
 #include "vtkOversketchAreaSelectWidget.h"
 #include "vtkOversketchEdit.h"
 #include "vtkOversketchEditWidget.h"
@@ -19,6 +15,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <initializer_list>
 #include <utility>
 
 namespace oversketch_studio
@@ -82,12 +79,11 @@ QVector<QPair<QString, QString>> ShadeTool::ways() const
 
 QString ShadeTool::way() const
 {
-  return this->Lasso && this->Lasso->isChecked() ? tr("Draw a lasso round a part of the region, on the model "
-                                                      "or on the disc: layers that you drag then are "
-                                                      "that part's.")
-                                                 : tr("Drag a layer outward and more of the model follows "
-                                                      "the line, inward less, here or on the disc. E "
-                                                      "drags the line. Return: done.");
+  return this->Lasso && this->Lasso->isChecked()
+           ? tr("Draw a lasso round a part of the region, on the model or on the disc: layers that you drag "
+                "then are that part's.")
+           : tr("Drag a layer outward and more of the model follows the line, inward less, here or on the "
+                "disc. E drags the line. Return: done.");
 }
 
 QWidget* ShadeTool::makePanel(QWidget* parent)
@@ -107,8 +103,7 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
   this->Levels->setRange(fewestLevels, mostLevels);
   this->Levels->setKeyboardTracking(false);
   label->setBuddy(this->Levels);
-  for (QWidget* one :
-    { static_cast<QWidget*>(this->Lasso), static_cast<QWidget*>(label), static_cast<QWidget*>(this->Levels) })
+  for (QWidget* one : std::initializer_list<QWidget*>{ this->Lasso, label, this->Levels })
   {
     this->Panel->addControl(one);
   }
@@ -117,7 +112,7 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
     this,
     [this](bool on)
     {
-      if (this->viewport()->tool() == this)
+      if (this->isHeld())
       {
         this->hand().setMode(on ? vtkOversketchEditWidget::Areas : vtkOversketchEditWidget::Shade);
       }
@@ -136,14 +131,6 @@ QWidget* ShadeTool::makePanel(QWidget* parent)
   this->Panel->wantsKeys = [edit] { return edit->GetDiscAreaWidget()->GetPen()->IsDrawing(); };
   this->follow();
   return this->Panel;
-}
-
-void ShadeTool::setDark(bool dark)
-{
-  if (this->Panel)
-  {
-    this->Panel->setDark(dark);
-  }
 }
 
 void ShadeTool::start()
@@ -169,7 +156,7 @@ void ShadeTool::follow()
   // A lasso has been drawn: its layers come next.
   const int areas =
     static_cast<int>(this->hand().widget()->GetAreaSelectWidget()->GetAreas()->GetNumberOfLines());
-  if (std::exchange(this->Areas, areas) < areas && this->viewport()->tool() == this && !this->hand().draws())
+  if (std::exchange(this->Areas, areas) < areas && this->isHeld() && !this->hand().draws())
   {
     this->Lasso->setChecked(false);
   }

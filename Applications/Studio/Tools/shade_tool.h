@@ -13,8 +13,6 @@ class QToolButton;
 namespace oversketch_studio
 {
 
-class EditPanel;
-
 class ShadeTool : public EditTool
 {
   Q_OBJECT
@@ -32,7 +30,6 @@ public:
   }
   QPainterPath icon() const override;
   QWidget* makePanel(QWidget* parent) override;
-  void setDark(bool dark) override;
   void start() override;
 
 protected:
@@ -43,7 +40,6 @@ private:
   // The dock shows what the hand has.
   void follow();
 
-  QPointer<EditPanel> Panel;
   QPointer<QToolButton> Lasso;
   QPointer<QSpinBox> Levels;
   int Areas = 0; // when the dock last followed

@@ -1,4 +1,4 @@
-// What the left button does in the viewport: one tool a system, and one that turns the model. To add one: a
+// A use of the left button in the viewport: one tool a system, and one that turns the model. To add one: a
 // file here and a row in tools.cxx.
 #ifndef oversketch_applications_studio_tools_tool_h
 #define oversketch_applications_studio_tools_tool_h
@@ -38,14 +38,14 @@ public:
   virtual QString help() const = 0;
   virtual QPainterPath icon() const = 0;
   QString name() const { return this->title().remove('&'); }
-  // What mouse and keys do with it: pairs of keys and words, for the list of keys.
+  // Tells what mouse and keys do with it: pairs of keys and words, for the list of keys.
   virtual QVector<QPair<QString, QString>> keys() const = 0;
-  // What the pressure of a pen does with it.
+  // Tells what the pressure of a pen does with it.
   virtual QString pressure() const { return tr("makes no difference to this tool"); }
-  // What a person new to it reads on the shipped model.
+  // The text that a person new to it reads on the shipped model.
   virtual QString hint() const { return {}; }
   virtual HintShape hintShape() const { return HintShape::Limb; }
-  // What to do next.
+  // Says what to do next.
   struct Situation
   {
     bool empty = true;     // no step has been taken
@@ -54,7 +54,7 @@ public:
     bool redraws = false;  // what is drawn next replaces the selected step's
   };
   virtual QString advice(const Situation& situation) const = 0;
-  // What can be done about a step of its system of which something is to be said.
+  // Says what can be done about a step of its system of which something is to be said.
   virtual QString remedy() const { return tr("Ctrl+Z undoes."); }
   // A stage of its system's, in words.
   virtual QString stage(const QString& name) const { return name; }
@@ -64,13 +64,14 @@ public:
   // The step of the history that it changes by itself; -1: none. One is selected, -1: none.
   virtual int node() const { return -1; }
   virtual void select(int) {}
-  // What new steps are made with, for the bar above the viewport; null where there is nothing to choose.
+  // The options that new steps are made with, for the bar above the viewport; null where there is nothing to
+  // choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }
-  // The same as values by names, to be kept as a set; none where there is nothing to choose. Lengths do not
-  // depend on the model that is open.
+  // The options as values by names, to be kept as a set; none where there is nothing to choose. Lengths do
+  // not depend on the model that is open.
   virtual oversketch_session::Values options() const { return {}; }
   virtual void setOptions(const oversketch_session::Values&) {}
-  // What else can be done with it while it is in the hand, for a menu.
+  // Other things that can be done with it while it is in the hand, for a menu.
   virtual QList<QAction*> actions() const { return {}; }
   // A second view of what it makes, for a panel beside the viewport; null: none.
   virtual QWidget* makePanel(QWidget*) { return nullptr; }
@@ -95,9 +96,9 @@ public:
 
   // Whether its advice also says why a step of its system did nothing.
   virtual bool judges() const { return false; }
-  // What is wrong with its step (node()), as its system says it; empty where nothing is.
+  // The property of its step (node()) that is to be turned on; empty where none is.
   virtual std::string asked() const { return {}; }
-  // What is drawn on, where that is not the model: a widget beside the viewport, seen while the tool is in
+  // A canvas that is drawn on in place of the model: a widget beside the viewport, seen while the tool is in
   // the hand; null: the model.
   virtual QWidget* makeCanvas(QWidget*) { return nullptr; }
   // The next line replaces one of the lines of its step; -1: none.
@@ -126,19 +127,20 @@ signals:
   // The hand has made a step; it has changed the one that was offered.
   void drawn(const oversketch_session::Step& step);
   void changed(const oversketch_session::Step& step);
-  // The same, inputs and values.
+  // It has changed inputs and values of that one.
   void remade(const oversketch_session::Step& step);
-  // What was drawn is no stroke: one is that long at least [px of the screen].
+  // The line that was drawn is no stroke: one is that long at least [px of the screen].
   void tooShort(double least);
-  // The hand gives the step that was offered other values; `goesOn`: of one movement with the last time.
-  void shaped(const oversketch_session::Values& values, bool goesOn);
+  // The hand gives the step that was offered other values; `mergesIntoLast`: of one movement with the last
+  // time.
+  void shaped(const oversketch_session::Values& values, bool mergesIntoLast);
   // The hand has changed a step of the history, whatever is offered.
   void edited(int node, const oversketch_session::Step& step);
-  // The hand puts a part of the model elsewhere; `goesOn`: of one movement with the last time. It gives the
-  // movement up.
-  void placed(int node, const oversketch_session::PartPlace& place, bool goesOn);
+  // The hand puts a part of the model elsewhere; `mergesIntoLast`: of one movement with the last time. It
+  // gives the movement up.
+  void placed(int node, const oversketch_session::PartPlace& place, bool mergesIntoLast);
   void givenUp();
-  // What is drawn on and the model change sides.
+  // The canvas and the model change sides.
   void swapAsked();
   // The hand moves a step that the mesh cannot follow before it is let go; it lets go.
   void movesAlone();

@@ -35,7 +35,6 @@ struct Backdrop::Card
   vtkNew<vtkPlaneSource> plane;
   vtkNew<vtkTexture> texture;
   vtkNew<vtkActor> actor;
-  vtkRenderer* in = nullptr;
 };
 
 Backdrop::Backdrop() = default;
@@ -47,7 +46,7 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
   std::vector<std::unique_ptr<Card>> next;
   for (const auto& picture : pictures)
   {
-    // What was decoded stays, also where how it is shown has changed.
+    // Decoded pixels stay, also where how it is shown has changed.
     const auto known = std::find_if(this->Cards.begin(),
       this->Cards.end(),
       [&](const auto& card) { return card && card->picture->image.bytes == picture->image.bytes; });
@@ -83,7 +82,6 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
       card->actor->GetProperty()->LightingOff();
       card->actor->PickableOff();
       card->actor->UseBoundsOff(); // the camera looks at the model
-      card->in = renderer;
       renderer->AddActor(card->actor);
     }
     card->actor->GetProperty()->SetOpacity(picture->opacity);

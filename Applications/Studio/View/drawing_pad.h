@@ -22,12 +22,12 @@ public:
   explicit DrawingPad(QWidget* parent = nullptr);
   ~DrawingPad() override;
 
-  // What is drawn on; all of it is seen.
+  // Sets what is drawn on; all of it is seen.
   void setPicture(vtkImageData* picture);
   void setCanvas(double x, double y, double width, double height);
   // Holds the strokes of the drawing, what each is and what there is to be said of them.
   vtkOversketchDrawingWidget* widget() const { return this->Widget; }
-  // What it says, in the words of whoever shows it.
+  // Shows what it says, in the words of whoever asks.
   void showText(const QString& text);
   bool isDrawing() const;
 

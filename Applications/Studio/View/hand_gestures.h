@@ -1,5 +1,5 @@
-// What turns the model besides a drag of the middle button: two fingers on a trackpad, a pinch, and the left
-// button while the space bar is held.
+// Gestures that turn the model besides a drag of the middle button: two fingers on a trackpad, a pinch, and
+// the left button while the space bar is held.
 #ifndef oversketch_applications_studio_view_hand_gestures_h
 #define oversketch_applications_studio_view_hand_gestures_h
 

@@ -33,8 +33,8 @@ namespace oversketch_studio
 namespace
 {
 
-// What faces the eye is nearly as light as the picture itself; what faces the key light is not brighter than
-// white, so that the form is seen on white paper, too.
+// A surface that faces the eye is nearly as light as the picture itself; one that faces the key light is not
+// brighter than white, so that the form is seen on white paper, too.
 constexpr double pictureAmbient = 0.22, pictureDiffuse = 0.78, pictureShine = 0.03, shine = 0.15;
 constexpr const char* place = "//VTK::Light::Impl";
 
@@ -75,7 +75,7 @@ void shade(vtkActor* actor, Shading shading)
 
 } // namespace
 
-// What is drawn by itself, in what it wears: a picture, else its own colours, else none.
+// A piece that is drawn by itself, in what it wears: a picture, else its own colours, else none.
 struct ModelView::Part
 {
   vtkNew<vtkPolyDataMapper> mapper;

@@ -45,7 +45,7 @@ public:
   // Shows a mesh in what it wears, instead of the last, where it is not the same; shows none.
   void show(vtkPolyData* mesh);
   void clear();
-  // The same mesh moved, in the same skins.
+  // Shows the same mesh moved, in the same skins.
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
   bool owns(const vtkActor* actor) const;

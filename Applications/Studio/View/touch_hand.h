@@ -21,7 +21,7 @@ class TouchHand : public QObject
   Q_OBJECT
 
 public:
-  // What a view has to do with it: whether the finger draws or holds something, which Escape gives up; zoom
+  // The acts of a view: whether the finger draws or holds something, which Escape gives up; zoom
   // by a factor about a place; take the pressure [0 to 1].
   struct Acts
   {

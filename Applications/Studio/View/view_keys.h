@@ -13,14 +13,14 @@ namespace oversketch_studio
 {
 
 // Letters, digits and signs that no text is written with go on to the view; so does Escape, but from lists.
-// What else a widget does with keys stays its own. Return and Escape in a number give the keys back.
+// Other keys of a widget stay its own. Return and Escape in a number give the keys back.
 // Shortcuts wait until the hand lets go: what it then makes is for what was there when it began.
 class ViewKeys : public QObject
 {
   Q_OBJECT
 
 public:
-  // Of the widgets of the view's window; whether the hand holds something in it.
+  // Hears the widgets of the view's window; `isBusy` tells whether the hand holds something in it.
   ViewKeys(QWidget* view, std::function<bool()> isBusy);
 
 signals:

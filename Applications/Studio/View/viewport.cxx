@@ -53,7 +53,7 @@ Viewport::Viewport(QWidget* parent)
   this->interactor()->SetInteractorStyle(this->Style);
   this->Style->SetDefaultRenderer(this->Renderer);
   this->Style->AddObserver(vtkCommand::StartInteractionEvent, this, &Viewport::moveBegins);
-  // Of a size that came during a drag.
+  // A size may have come during a drag.
   this->Style->AddObserver(vtkCommand::EndInteractionEvent, this, &Viewport::fitCamera);
   this->Style->AddObserver(vtkCommand::ModifiedEvent, this, &Viewport::keysShown);
   this->Await->setSingleShot(true);
@@ -264,7 +264,7 @@ void Viewport::resizeGL(int width, int height)
   this->fitScreen();
 }
 
-// What the hand holds does not jump under it; and a view that is next to nothing tells no proportion.
+// A thing that the hand holds does not jump under it; and a view that is next to nothing tells no proportion.
 void Viewport::fitCamera()
 {
   constexpr int least = 16; // px

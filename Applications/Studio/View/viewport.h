@@ -69,7 +69,7 @@ public:
   oversketch_session::Lines frameFor(int width, int height);
   // Where to draw, with a line of text; empty shows none.
   void showHint(const QString& text, HintShape shape = HintShape::Limb);
-  // That is seen; empty where none is.
+  // The one that is seen; empty where none is.
   QString hint() const
   {
     return this->HintBox.isVisible() ? QString::fromStdString(this->HintBox.text()) : QString();
@@ -97,7 +97,7 @@ public:
   void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
   void renderNow() override;
-  // What lies over the view and is seen, the strip at its upper left corner, the axes, in the screen's
+  // The widgets that are seen over the view, the strip at its upper left corner, the axes, in the screen's
   // pixels.
   std::vector<Hint::Box> overlays() const;
 

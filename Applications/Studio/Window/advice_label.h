@@ -1,6 +1,6 @@
-// What to do next, at the foot of the window: two lines high, so that the view keeps its size. Where it needs
-// more its letters are a little smaller, and where that is not enough it ends in three points and its tool
-// tip has the whole.
+// A line on what to do next, at the foot of the window: two lines high, so that the view keeps its size.
+// Where it needs more its letters are a little smaller, and where that is not enough it ends in three points
+// and its tool tip has the whole.
 #ifndef oversketch_applications_studio_window_advice_label_h
 #define oversketch_applications_studio_window_advice_label_h
 

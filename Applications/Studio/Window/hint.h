@@ -1,5 +1,5 @@
-// What a person new to it sees on the shipped model: where to draw, dashed in the pen's colour, and a line of
-// text above.
+// The hint that a person new to it sees on the shipped model: where to draw, dashed in the pen's colour, and
+// a line of text above.
 #ifndef oversketch_applications_studio_window_hint_h
 #define oversketch_applications_studio_window_hint_h
 

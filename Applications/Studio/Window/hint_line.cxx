@@ -19,7 +19,7 @@ constexpr double further = 34.0;  // that the tip goes out
 constexpr double beside = 3.0;    // the line lies so far outside the limb
 constexpr double widening = 8.0;  // more than that at one level is no longer the limb
 constexpr double narrowest = 8.0;
-// Of a line on the body and a ring round it, in widths of the picture.
+// Halves of a line on the body and of a ring round it, in widths of the picture.
 constexpr double lineHalf = 0.055;
 constexpr double ringHalf[2] = { 0.118, 0.063 };
 constexpr int samples = 48;

@@ -11,7 +11,7 @@ namespace oversketch_studio
 // down the other side; lengths in pixels of `ratio` each. Empty where there are no points.
 oversketch::Polyline hintLine(const oversketch::Polyline& picture, double ratio);
 
-// What a tool's hint is of: that limb; a line on the body; a ring round that line.
+// The shape of a tool's hint: that limb; a line on the body; a ring round that line.
 enum class HintShape
 {
   Limb,

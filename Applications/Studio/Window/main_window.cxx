@@ -43,12 +43,6 @@ namespace
 
 const QSize frameRoom(16, 48); // px as Qt counts them, of a window's frame
 
-// Whether the row that a hand changes is there, and not a step of another kind that came under it meanwhile.
-bool isStill(const std::vector<Node>& nodes, int row, const Step& step)
-{
-  return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == step.system;
-}
-
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -186,7 +180,7 @@ void MainWindow::listenToTool(Tool* tool)
   connect(tool, &Tool::remade, this, &MainWindow::stepRemade);
   connect(tool, &Tool::shaped, this, &MainWindow::stepShaped);
   connect(tool, &Tool::edited, this->OpenDocument, &Document::redraw);
-  connect(tool, &Tool::placed, this->OpenDocument, &Document::place);
+  connect(tool, &Tool::placed, this->OpenDocument, &Document::setPlacement);
   connect(tool, &Tool::givenUp, this->OpenDocument, &Document::undo);
   connect(tool,
     &Tool::swapAsked,
@@ -269,9 +263,10 @@ void MainWindow::stepDrawn(const Step& step)
   }
 }
 
+// A step of another kind may have come under the hand meanwhile.
 void MainWindow::stepChanged(const Step& step)
 {
-  if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
+  if (this->OpenDocument->isOf(this->Offered, step.system))
   {
     this->OpenDocument->redraw(this->Offered, step);
   }
@@ -279,17 +274,17 @@ void MainWindow::stepChanged(const Step& step)
 
 void MainWindow::stepRemade(const Step& step)
 {
-  if (isStill(this->OpenDocument->session().nodes, this->Offered, step))
+  if (this->OpenDocument->isOf(this->Offered, step.system))
   {
     this->OpenDocument->remake(this->Offered, step);
   }
 }
 
-void MainWindow::stepShaped(const Values& values, bool goesOn)
+void MainWindow::stepShaped(const Values& values, bool mergesIntoLast)
 {
-  if (this->Offered >= 0 && indexOf(this->Offered) < this->OpenDocument->session().nodes.size())
+  if (this->OpenDocument->nodeAt(this->Offered))
   {
-    this->OpenDocument->shape(this->Offered, values, goesOn);
+    this->OpenDocument->setValues(this->Offered, values, mergesIntoLast);
   }
 }
 
@@ -323,11 +318,7 @@ void MainWindow::selectDrawing(const Tool* tool)
   {
     return;
   }
-  const int current = this->History->current();
-  const auto& nodes = this->OpenDocument->session().nodes;
-  const bool isOne =
-    current >= 0 && indexOf(current) < nodes.size() && nodes[indexOf(current)].step->system == drawingSystem;
-  if (isOne != (tool->system() == drawingSystem))
+  if (this->OpenDocument->isOf(this->History->current(), drawingSystem) != (tool->system() == drawingSystem))
   {
     this->History->selectStep(tool->node());
   }
@@ -335,7 +326,7 @@ void MainWindow::selectDrawing(const Tool* tool)
 
 Tool* MainWindow::toolOf(int node) const
 {
-  const std::string& system = this->OpenDocument->session().nodes[indexOf(node)].step->system;
+  const std::string& system = this->OpenDocument->nodeAt(node)->step->system;
   if (Tool* held = this->View->tool(); held && held->system() == system)
   {
     return held;
@@ -352,8 +343,7 @@ Tool* MainWindow::toolOf(int node) const
 
 void MainWindow::lookFrom(int node)
 {
-  const Session& session = this->OpenDocument->session();
-  if (const auto stroke = strokeOf(session, *session.nodes[indexOf(node)].step))
+  if (const auto stroke = strokeOf(this->OpenDocument->session(), *this->OpenDocument->nodeAt(node)->step))
   {
     this->View->lookFrom(stroke);
   }
@@ -431,7 +421,7 @@ void MainWindow::offerStep()
   const int last = this->OpenDocument->shownTo() - 1;
   const int node = this->nodeMeant();
   this->View->showRegion(nullptr);
-  // What the next stroke replaces is not in its way; what is not up to date cannot be shown following.
+  // A step that the next stroke replaces is not in its way; what is not up to date cannot be shown following.
   const bool can = this->Redrawn < 0 && node >= 0 && node <= last && indexOf(last + 1) == states.size() &&
                    nodes[indexOf(node)].on && !this->OpenDocument->isBusy() && this->AcceptsSteps;
   Tool* tool = can ? this->toolOf(node) : nullptr;
@@ -508,12 +498,11 @@ void MainWindow::showDetails()
   }
 }
 
-// Of a drawing without strokes there is no model, also not the last one.
+// A drawing without strokes makes no model, also not the last one.
 bool MainWindow::isNothingDrawn() const
 {
   const Session& session = this->OpenDocument->session();
-  const auto isDrawn = [](const Node& node)
-  { return node.step->system == drawingSystem && !strokesOf(linesOf(*node.step, strokesInput)).empty(); };
+  const auto isDrawn = [](const Node& node) { return !strokesOf(*node.step).empty(); };
   return !this->OpenDocument->isBusy() && !session.nodes.empty() &&
          session.nodes.front().step->system == drawingSystem &&
          std::none_of(session.nodes.begin(), session.nodes.end(), isDrawn);

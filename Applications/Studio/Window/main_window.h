@@ -10,7 +10,10 @@
 
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 class QAction;
 class QDockWidget;
@@ -82,8 +85,22 @@ private:
   // Whether a long work may begin; says which one it has to wait for.
   bool mayBegin();
   void tell(const QStringList& notes);
-  // What is read on a thread of its own is shown, instead of what is there.
+  // Does a work on a thread of its own, while the window says what goes on, and `then` after it here. Returns
+  // whether both went well, and says why not in a box, where they were not given up.
+  bool runAside(const QString& what, const std::function<void()>& work, const std::function<void()>& then);
+  // Reads aside, and gives `then` what was read. The thread may outlive the window.
+  template <typename Read, typename Then>
+  bool readAside(const QString& name, const Read& read, const Then& then)
+  {
+    const auto made = std::make_shared<std::optional<decltype(read())>>();
+    return this->runAside(
+      tr("Reading %1…").arg(name),
+      [made, read] { *made = read(); },
+      [&made, &then] { then(std::move(**made)); });
+  }
+  // Shows what is read, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);
+  bool openFile(const QString& path);
   bool openExample(const Example& example);
   bool recover(const oversketch_session::LeftBehind& left, const QString& name);
   bool saveTo(const QString& path);
@@ -138,7 +155,7 @@ private:
   void stepChanged(const oversketch_session::Step& step);
   void stepRemade(const oversketch_session::Step& step);
   void opened();
-  void stepShaped(const oversketch_session::Values& values, bool goesOn);
+  void stepShaped(const oversketch_session::Values& values, bool mergesIntoLast);
   void setTool(Tool* tool);
   void selectDrawing(const Tool* tool);
   // The one that draws steps of a node's system, the one in the hand before others; null where none does.

@@ -1,4 +1,4 @@
-// What the window's foot says: what to do next, what a step has to say, and the button that does what is
+// The words at the window's foot: what to do next, what a step has to say, and the button that does what is
 // asked for.
 #include "main_window.h"
 
@@ -48,7 +48,7 @@ void MainWindow::stopTeaching()
   this->View->showHint({});
 }
 
-// What a new result has to say: of the last step; else of another that has something new.
+// Takes what a new result has to say: of the last step; else of another that has something new.
 void MainWindow::hearRows()
 {
   if (this->OpenDocument->isBusy() || !this->OpenDocument->isOpen())
@@ -85,19 +85,18 @@ void MainWindow::hush()
 // Whether a row has spoken.
 bool MainWindow::speak()
 {
-  const auto& nodes = this->OpenDocument->session().nodes;
   const auto& states = this->OpenDocument->result().nodes;
   const int row = this->Speaks, last = this->OpenDocument->shownTo() - 1;
-  const bool isThere = this->Redrawn < 0 && row >= 0 && row <= last && indexOf(row) < nodes.size() &&
-                       states.size() == indexOf(last + 1) && this->Said.count(nodes[indexOf(row)].id) > 0;
+  const Node* node = this->OpenDocument->nodeAt(row);
+  const bool isThere = this->Redrawn < 0 && node && row <= last && states.size() == indexOf(last + 1) &&
+                       this->Said.count(node->id) > 0;
   if (!isThere)
   {
     return false;
   }
   const auto& state = states[indexOf(row)];
   const Tool* tool = this->toolOf(row);
-  const QString of =
-    row == last ? QString() : tr("%1: ").arg(QString::fromStdString(nodes[indexOf(row)].name));
+  const QString of = row == last ? QString() : tr("%1: ").arg(QString::fromStdString(node->name));
   this->Advice->setText(
     of + (!state.failure.empty() ? tr("That did nothing: %1").arg(briefWords(state.failure))
                                  : briefWords(state.remark) + (tool ? ' ' + tool->remedy() : QString())));
@@ -108,8 +107,8 @@ bool MainWindow::speak()
 // Where a message asks for an option of its step, a button gives it.
 void MainWindow::offerAnyway(int row, const std::string& property)
 {
-  const Step& step = *this->OpenDocument->session().nodes[indexOf(row)].step;
-  const SystemRow* system = findSystem(step.system);
+  const Node& node = *this->OpenDocument->nodeAt(row);
+  const SystemRow* system = findSystem(node.step->system);
   const Parameter* parameter = system ? findParameter(*system, property) : nullptr;
   const bool can = parameter && std::holds_alternative<bool>(parameter->initial);
   this->Anyway->setVisible(can);
@@ -121,22 +120,21 @@ void MainWindow::offerAnyway(int row, const std::string& property)
                         : property == "Arrange" ? tr("&Let lines cross")
                                                 : rowText(parameter->title));
   this->Anyway->setToolTip(rowSentence(parameter->help));
-  this->OnAnyway = [this, id = this->OpenDocument->session().nodes[indexOf(row)].id, property]
+  this->OnAnyway = [this, id = node.id, property]
   {
-    const auto& nodes = this->OpenDocument->session().nodes;
-    const auto node =
-      std::find_if(nodes.begin(), nodes.end(), [id](const Node& one) { return one.id == id; });
-    if (node != nodes.end() && !this->View->tool()->isBusy())
+    const int at = rowOf(this->OpenDocument->session().nodes, id);
+    if (at >= 0 && !this->View->tool()->isBusy())
     {
-      Values values = node->step->values;
+      const auto step = this->OpenDocument->nodeAt(at)->step;
+      Values values = step->values;
       values[property] = true;
       this->View->setFocus();
-      this->OpenDocument->setParameters(static_cast<int>(node - nodes.begin()), values, node->step->mirror);
+      this->OpenDocument->setParameters(at, values, step->mirror);
     }
   };
 }
 
-// What to do next.
+// Says what to do next.
 void MainWindow::advise()
 {
   this->teach();
@@ -171,20 +169,16 @@ void MainWindow::advise()
   {
     return;
   }
-  const auto& nodes = this->OpenDocument->session().nodes;
-  if (const int row = this->History->current(); tool->system() != "Augment" && row >= 0 &&
-                                                indexOf(row) < nodes.size() &&
-                                                nodes[indexOf(row)].step->system == "Terrain")
+  const int row = this->History->current();
+  if (tool->system() != "Augment" && this->OpenDocument->isOf(row, "Terrain"))
   {
     this->Advice->setText(tr("Terrain: Scale makes it steeper; B draws ridges and rivers."));
     return;
   }
-  situation.empty = nodes.empty();
+  situation.empty = this->OpenDocument->session().nodes.empty();
   // Blue and red are of the tool's own steps.
-  const auto isOwn = [&](int row)
-  { return row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system == tool->system(); };
-  situation.selected = isOwn(this->History->current());
-  situation.holds = isOwn(this->Offered);
+  situation.selected = this->OpenDocument->isOf(row, tool->system());
+  situation.holds = this->OpenDocument->isOf(this->Offered, tool->system());
   situation.redraws = this->Redrawn >= 0;
   this->Advice->setText(tool->advice(situation));
 }

@@ -49,12 +49,7 @@ namespace
 // "*.obj *.ply": of extensions with blanks between.
 QString patternsOf(const char* extensions)
 {
-  QString patterns;
-  for (const QString& extension : QString::fromLatin1(extensions).split(' '))
-  {
-    patterns += " *" + extension;
-  }
-  return patterns.mid(1);
+  return '*' + QString::fromLatin1(extensions).replace(' ', " *");
 }
 
 // Where the session lies, else where the last one was saved, else where the model or the picture is from; not
@@ -107,6 +102,24 @@ bool MainWindow::mayBegin()
   return what.isEmpty();
 }
 
+bool MainWindow::runAside(const QString& what,
+  const std::function<void()>& work,
+  const std::function<void()>& then)
+{
+  bool done = false;
+  return this->mayBegin() &&
+         this->tried(
+           [&]
+           {
+             done = doLongWork(this, what, work);
+             if (done)
+             {
+               then();
+             }
+           }) &&
+         done;
+}
+
 void MainWindow::tell(const QStringList& notes)
 {
   if (!notes.isEmpty())
@@ -123,22 +136,22 @@ bool MainWindow::open(const QString& path)
   {
     const bool canBeHeights =
       oversketch_files::isHeightsExtension("." + suffix.toStdString()) && findSystem("Terrain");
-    QPushButton* over = nullptr;
+    if (!canBeHeights)
+    {
+      return this->openPicture(path);
+    }
     QMessageBox box(QMessageBox::Question,
       tr("Oversketch"),
       tr("What is %1 for?").arg(QFileInfo(path).fileName()),
       {},
       this);
-    over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
+    QPushButton* over = box.addButton(tr("&Draw over it"), QMessageBox::AcceptRole);
     QPushButton* heights = box.addButton(tr("Take it as &heights"), QMessageBox::AcceptRole);
     QPushButton* none = box.addButton(QMessageBox::Cancel);
     none->setText(tr("&Cancel"));
     box.setDefaultButton(over);
-    if (canBeHeights)
-    {
-      box.exec();
-    }
-    if (!canBeHeights || box.clickedButton() == over)
+    box.exec();
+    if (box.clickedButton() == over)
     {
       return this->openPicture(path);
     }
@@ -147,14 +160,19 @@ bool MainWindow::open(const QString& path)
       return false;
     }
   }
-  const int backend = this->OpenDocument->backend();
-  const bool opened =
-    this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
+  const bool opened = this->openFile(path);
   if (opened)
   {
     this->remember(path);
   }
   return opened;
+}
+
+bool MainWindow::openFile(const QString& path)
+{
+  const int backend = this->OpenDocument->backend();
+  return this->openRead(
+    QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
 }
 
 bool MainWindow::openExample(const Example& example)
@@ -165,44 +183,27 @@ bool MainWindow::openExample(const Example& example)
 
 bool MainWindow::openRead(const QString& name, const std::function<Document::Opened()>& read)
 {
-  if (!this->mayBegin() || !this->mayLeave())
-  {
-    return false;
-  }
-  const auto opened = std::make_shared<Document::Opened>();
-  bool done = false;
-  this->tried(
-    [&] { done = doLongWork(this, tr("Reading %1…").arg(name), [opened, read] { *opened = read(); }); });
-  if (!done)
-  {
-    return false;
-  }
-  this->Redrawn = -1;
-  this->stopTeaching();
-  const QStringList notes = opened->notes;
-  this->OpenDocument->open(std::move(*opened));
-  this->tell(notes);
-  return true;
+  return this->mayBegin() && this->mayLeave() &&
+         this->readAside(name,
+           read,
+           [this](Document::Opened opened)
+           {
+             this->Redrawn = -1;
+             this->stopTeaching();
+             const QStringList notes = opened.notes;
+             this->OpenDocument->open(std::move(opened));
+             this->tell(notes);
+           });
 }
 
 bool MainWindow::recover(const LeftBehind& left, const QString& name)
 {
   const int backend = this->OpenDocument->backend();
-  bool done = false;
-  this->tried(
-    [&]
-    {
-      const auto read = std::make_shared<Document::Opened>();
-      const QString folder = QString::fromStdString(left.folder);
-      done = doLongWork(this,
-        tr("Reading %1…").arg(name),
-        [read, folder, backend] { *read = Document::read(folder, backend); });
-      if (done)
-      {
-        this->OpenDocument->recover(left, std::move(*read));
-      }
-    });
-  return done;
+  const QString folder = QString::fromStdString(left.folder);
+  return this->readAside(
+    name,
+    [folder, backend] { return Document::read(folder, backend); },
+    [this, &left](Document::Opened read) { this->OpenDocument->recover(left, std::move(read)); });
 }
 
 bool MainWindow::offerRecovery()
@@ -241,9 +242,7 @@ bool MainWindow::offerRecovery()
 void MainWindow::openShippedModel()
 {
   const QString path = shippedModel();
-  const int backend = this->OpenDocument->backend();
-  if (!path.isEmpty() &&
-      this->openRead(QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); }))
+  if (!path.isEmpty() && this->openFile(path))
   {
     this->ShowsHints = true;
     this->teach();
@@ -288,27 +287,17 @@ bool MainWindow::save()
 
 bool MainWindow::saveTo(const QString& path)
 {
-  if (!this->mayBegin())
-  {
-    return false;
-  }
-  bool done = false;
   const auto file = std::make_shared<const SessionFile>(this->OpenDocument->toSave());
-  this->tried(
-    [&]
+  return this->runAside(
+    tr("Saving %1…").arg(QFileInfo(path).fileName()),
+    [path, file] { writeSession(path.toStdString(), *file); },
+    [this, &path]
     {
-      done = doLongWork(this,
-        tr("Saving %1…").arg(QFileInfo(path).fileName()),
-        [path, file] { writeSession(path.toStdString(), *file); });
+      this->OpenDocument->saved(path);
+      this->remember(path);
+      QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
+      this->Advice->setText(tr("Saved as %1.").arg(path));
     });
-  if (done)
-  {
-    this->OpenDocument->saved(path);
-    this->remember(path);
-    QSettings().setValue("saveFolder", QFileInfo(path).absolutePath());
-    this->Advice->setText(tr("Saved as %1.").arg(path));
-  }
-  return done;
 }
 
 bool MainWindow::saveAs()
@@ -364,28 +353,23 @@ void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, co
     meshes->emplace_back(std::move(copy));
   }
   const auto notes = std::make_shared<oversketch_files::Notes>();
-  this->tried(
+  const QString file = QFileInfo(path).fileName();
+  this->runAside(
+    tr("Exporting %1…").arg(file),
+    [meshes, part, path, notes]
+    {
+      const auto whole = joined({ meshes->begin(), meshes->end() });
+      meshes->clear(); // a large scene lies there once less
+      const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
+      oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
+    },
     [&]
     {
-      const bool done = doLongWork(this,
-        tr("Exporting %1…").arg(QFileInfo(path).fileName()),
-        [meshes, part, path, notes]
-        {
-          const auto whole = joined({ meshes->begin(), meshes->end() });
-          meshes->clear(); // a large scene lies there once less
-          const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
-          oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
-        });
-      if (done)
-      {
-        const QString file = QFileInfo(path).fileName();
-        const bool keeps = keepsPicture(path);
-        const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
-                             : keeps
-                               ? tr("Exported %1 with its picture.").arg(file)
-                               : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
-        this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
-      }
+      const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
+                           : keepsPicture(path)
+                             ? tr("Exported %1 with its picture.").arg(file)
+                             : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
+      this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
     });
 }
 
@@ -470,7 +454,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     [this, path, onScene]
     {
       // A picture behind an open model, or to be drawn over; a model beside the open one, or instead of it.
-      // What is both, a TIFF, is a grid of heights sooner.
+      // A TIFF may be both: it is a grid of heights sooner.
       const QString kind = QFileInfo(path).suffix().toLower();
       const bool isPicture = pictureExtensions().contains(kind) && !kind.startsWith("tif");
       const bool isModel = !isPicture && this->OpenDocument->isOpen() && onScene;

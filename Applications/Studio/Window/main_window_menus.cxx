@@ -134,8 +134,8 @@ void MainWindow::makeMenus()
     {
       QMessageBox::about(this,
         tr("Oversketch"),
-        tr("Oversketch %1\nDraw one line over a shape and the shape follows.\n\nVTK %2, Qt %3\n"
-           "Free software under the BSD-3-Clause licence, without warranty.")
+        tr("Oversketch %1\nDraw one line over a shape and the shape follows.\n\nVTK %2, Qt %3\nFree software "
+           "under the BSD-3-Clause licence, without warranty.")
           .arg(QCoreApplication::applicationVersion(), vtkVersion::GetVTKVersion(), qVersion()));
     });
 }
@@ -303,8 +303,7 @@ void MainWindow::makeStatus()
     this,
     [this](int node, const QString& stage, double share)
     {
-      const bool isThere = node < static_cast<int>(this->OpenDocument->session().nodes.size());
-      const Tool* tool = isThere ? this->toolOf(node) : nullptr;
+      const Tool* tool = this->OpenDocument->nodeAt(node) ? this->toolOf(node) : nullptr;
       this->Progress->setFormat(tool ? tool->stage(stage) : stage);
       this->Progress->setValue(static_cast<int>(100.0 * share));
     });
@@ -375,7 +374,6 @@ void MainWindow::fillRecent()
   {
     this->add(this->Recent, path, {}, [this, path] { this->open(path); });
   }
-  this->Recent->setDisabled(false);
   if (recent.isEmpty())
   {
     this->Recent->addAction(tr("None yet"))->setEnabled(false);

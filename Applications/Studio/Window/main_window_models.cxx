@@ -2,7 +2,6 @@
 #include "main_window.h"
 
 #include "advice_label.h"
-#include "long_work.h"
 #include "models.h"
 #include "scene_panel.h"
 #include "stroke_lines.h"
@@ -13,7 +12,6 @@
 
 #include <QFileInfo>
 
-#include <memory>
 #include <utility>
 
 namespace oversketch_studio
@@ -76,34 +74,19 @@ void MainWindow::addModel(const QString& path)
     this->open(path);
     return;
   }
-  if (!this->mayBegin())
-  {
-    return;
-  }
   const int backend = this->OpenDocument->backend();
-  const auto read = std::make_shared<Document::Opened>();
-  bool done = false;
-  this->tried(
-    [&]
+  this->readAside(
+    QFileInfo(path).fileName(),
+    [path, backend] { return Document::readModels(path, backend); },
+    [this, &path](const Document::Opened& read)
     {
-      done = doLongWork(this,
-        tr("Reading %1…").arg(QFileInfo(path).fileName()),
-        [read, path, backend] { *read = Document::readModels(path, backend); });
+      this->OpenDocument->addModels(read);
+      this->stopTeaching();
+      this->remember(path);
+      this->View->display().showWhole(this->View->fittedSize().data());
+      this->View->renderSoon();
+      this->tell(read.notes);
     });
-  if (!done)
-  {
-    return;
-  }
-  const QStringList notes = read->notes;
-  if (!this->tried([&] { this->OpenDocument->addModels(std::move(*read)); }))
-  {
-    return;
-  }
-  this->stopTeaching();
-  this->remember(path);
-  this->View->display().showWhole(this->View->fittedSize().data());
-  this->View->renderSoon();
-  this->tell(notes);
 }
 
 void MainWindow::exportModel(int model, int part, const QString& name)
@@ -130,16 +113,12 @@ bool MainWindow::chooseModelAt(const QPoint& place)
     return false;
   }
   const auto id = this->View->display().others().at(static_cast<int>(x), static_cast<int>(y));
-  const Session& session = this->OpenDocument->session();
-  for (std::size_t i = 0; id && i < modelCount(session); ++i)
+  const int model = id ? placeOfModel(this->OpenDocument->session(), *id) : -1;
+  if (model >= 0)
   {
-    if (modelAt(session, i).id == *id)
-    {
-      this->OpenDocument->chooseModel(static_cast<int>(i));
-      return true;
-    }
+    this->OpenDocument->chooseModel(model);
   }
-  return false;
+  return model >= 0;
 }
 
 } // namespace oversketch_studio

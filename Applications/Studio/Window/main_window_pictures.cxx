@@ -2,7 +2,6 @@
 #include "main_window.h"
 
 #include "history_panel.h"
-#include "long_work.h"
 #include "picture_files.h"
 #include "viewport.h"
 
@@ -10,29 +9,10 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include <memory>
-#include <optional>
-#include <utility>
-
 namespace oversketch_studio
 {
 
 using namespace oversketch_session;
-
-namespace
-{
-
-// What is read of that file on a thread of its own; nothing where it was given up.
-template <typename Read>
-auto readOf(QWidget* window, const QString& path, const Read& read) -> std::optional<decltype(read())>
-{
-  const auto made = std::make_shared<std::optional<decltype(read())>>();
-  const QString what = MainWindow::tr("Reading %1…").arg(QFileInfo(path).fileName());
-  const bool done = doLongWork(window, what, [made, read] { *made = read(); });
-  return done ? std::move(*made) : std::nullopt;
-}
-
-} // namespace
 
 bool MainWindow::openPicture(const QString& path)
 {
@@ -41,18 +21,14 @@ bool MainWindow::openPicture(const QString& path)
     return false;
   }
   bool opened = false;
+  const QString name = QFileInfo(path).fileName();
   const auto mayLeave = [this] { return this->mayLeave(); };
-  this->tried(
-    [&]
-    {
-      if (path.isEmpty())
-      {
-        opened = this->OpenDocument->beginDrawing(mayLeave);
-        return;
-      }
-      const auto read = readOf(this, path, [path] { return Document::readDrawing(path); });
-      opened = read && this->OpenDocument->beginDrawing(read->step, QFileInfo(path).fileName(), mayLeave);
-    });
+  path.isEmpty() ? this->tried([&] { opened = this->OpenDocument->beginDrawing(mayLeave); })
+                 : this->readAside(
+                     name,
+                     [path] { return Document::readDrawing(path); },
+                     [&](const Document::ReadDrawing& read)
+                     { opened = this->OpenDocument->beginDrawing(read.step, name, mayLeave); });
   if (opened)
   {
     if (!path.isEmpty())
@@ -100,19 +76,15 @@ void MainWindow::addPartAsked()
     return;
   }
   const QString path = this->pictureAsked(tr("Draw a further part over a picture"));
-  if (path.isEmpty() || !this->mayBegin())
+  if (path.isEmpty())
   {
     return;
   }
-  this->tried(
-    [&]
+  this->readAside(QFileInfo(path).fileName(),
+    this->OpenDocument->partReader(path),
+    [this](const Document::ReadDrawing& read)
     {
-      const auto read = readOf(this, path, this->OpenDocument->partReader(path));
-      if (!read)
-      {
-        return;
-      }
-      this->OpenDocument->add(*read->step);
+      this->OpenDocument->add(*read.step);
       const int part = this->OpenDocument->shownTo() - 1;
       this->History->selectStep(part);
       this->setTool(this->toolOf(part));
@@ -130,21 +102,18 @@ void MainWindow::addPictureAsked()
 
 void MainWindow::addPicture(const QString& path)
 {
-  if (!this->OpenDocument->isOpen() || !this->mayBegin())
+  if (!this->OpenDocument->isOpen())
   {
     return;
   }
-  this->tried(
-    [&]
+  this->readAside(
+    QFileInfo(path).fileName(),
+    [path] { return readPicture(path); },
+    [this](const ReadPicture& read)
     {
-      const auto read = readOf(this, path, [path] { return readPicture(path); });
-      if (!read)
-      {
-        return;
-      }
       Picture picture;
-      picture.image = read->image;
-      const int* size = read->decoded->pixels->GetDimensions();
+      picture.image = read.image;
+      const int* size = read.decoded->pixels->GetDimensions();
       picture.frame = this->View->frameFor(size[0], size[1]);
       this->stopTeaching(); // it might not be legible before it
       this->OpenDocument->addPicture(picture);

@@ -36,7 +36,7 @@ void MainWindow::listenToRows()
     this,
     [this]
     {
-      // What a tool does with the key comes first.
+      // The tool comes first.
       const bool isFree = !this->View->tool()->isBusy() && QApplication::mouseButtons() == Qt::NoButton;
       if (isFree && this->leavesRows())
       {
@@ -51,10 +51,9 @@ void MainWindow::listenToRows()
 bool MainWindow::leavesRows() const
 {
   const Tool* tool = this->View->tool();
-  const int row = this->History->current();
-  const auto& nodes = this->OpenDocument->session().nodes;
+  const Node* row = this->OpenDocument->nodeAt(this->History->current());
   return tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool) ||
-         (row >= 0 && indexOf(row) < nodes.size() && nodes[indexOf(row)].step->system != tool->system());
+         (row && row->step->system != tool->system());
 }
 
 // A line that is seen is selected; else what is selected is left.
@@ -91,21 +90,18 @@ void MainWindow::chooseLine()
   const bool turns = tool->system().empty(), pens = qobject_cast<const HeldStrokeTool*>(tool);
   this->Lines->showAll(turns);
   int step = this->History->current();
-  const bool isOffered = this->Offered >= 0 && this->OpenDocument->isOpen() &&
-                         indexOf(this->Offered) < this->OpenDocument->session().nodes.size();
-  if (step < 0 && isOffered && this->toolOf(this->Offered) == tool)
+  if (step < 0 && this->OpenDocument->nodeAt(this->Offered) && this->toolOf(this->Offered) == tool)
   {
     step = this->Offered;
   }
-  const bool isOpen = this->OpenDocument->isOpen() && (turns || pens);
-  if (!isOpen || step < 0 || indexOf(step) >= this->OpenDocument->session().nodes.size())
+  const Node* chosen = turns || pens ? this->OpenDocument->nodeAt(step) : nullptr;
+  if (!chosen)
   {
     this->Lines->choose(-1, nullptr);
     return;
   }
-  const Step& chosen = *this->OpenDocument->session().nodes[indexOf(step)].step;
-  const bool isHeld = step == this->Offered && tool->system() == chosen.system;
-  this->Lines->choose(step, isHeld ? strokeOf(this->OpenDocument->session(), chosen).Get() : nullptr);
+  const bool isHeld = step == this->Offered && tool->system() == chosen->step->system;
+  this->Lines->choose(step, isHeld ? strokeOf(this->OpenDocument->session(), *chosen->step).Get() : nullptr);
 }
 
 } // namespace oversketch_studio

@@ -33,24 +33,20 @@ const Plain plain[] = {
   { "it is %1 px long; at least %2 px are needed: draw a longer stroke.",
     QT_TRANSLATE_NOOP("Messages", "Too short: draw at least %2 px.") },
   { "it is %1 px long, %2 times the diagonal of its viewport; at most %3 times are taken: draw one line "
-    "along "
-    "the outline that it is to replace, not a scribble.",
+    "along the outline that it is to replace, not a scribble.",
     QT_TRANSLATE_NOOP("Messages", "Too long: draw one line along the outline, no scribble.") },
   { "it is closed: its ends are %1 px apart and it is %2 px long; draw an open stroke.",
     QT_TRANSLATE_NOOP("Messages", "The line is closed: let its ends be apart.") },
   { "Point %1 moved, but the mesh has no point where the plane %2 = %3 reflects it to: the mesh is not "
-    "symmetric "
-    "there; deform it without symmetry.",
+    "symmetric there; deform it without symmetry.",
     QT_TRANSLATE_NOOP("Messages", "The model is not symmetric about %2 here.") },
   { "The region is empty; draw a stroke on a part of the model with more vertices.",
     QT_TRANSLATE_NOOP("Messages", "The model has too few triangles here.") },
   { "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; take "
-    "a "
-    "model with more triangles.",
+    "a model with more triangles.",
     QT_TRANSLATE_NOOP("Messages", "The model has too few triangles: take one with more.") },
   { "The region reaches the whole model, or a whole separate part of it, so nothing is left to hold it; draw "
-    "a "
-    "shorter stroke, or one on a part that differs more in thickness from the rest.",
+    "a shorter stroke, or one on a part that differs more in thickness from the rest.",
     QT_TRANSLATE_NOOP("Messages", "The line would move the whole model: draw a shorter one.") },
   { "The region reaches the whole model, so nothing is left to hold it; draw a shorter stroke.",
     QT_TRANSLATE_NOOP("Messages", "The line would move the whole model: draw a shorter one.") },
@@ -61,23 +57,19 @@ const Plain plain[] = {
       "There is no surface between the line's ends: draw nearer to the outline of one part, or pull a limb "
       "with the tool Outline (D).") },
   { "The stroke is %1 px from any outline, more than {maximumGap} = %2 px. Draw it along the outline that it "
-    "is "
-    "to replace.",
+    "is to replace.",
     QT_TRANSLATE_NOOP("Messages",
       "The line is %1 px from any outline, more than %2: draw it along the one that it replaces.") },
   { "Fewer than two control points of the section lie on one layer of the mesh; {SingleLayer off} or draw "
-    "along "
-    "another outline.",
+    "along another outline.",
     QT_TRANSLATE_NOOP("Messages",
       "The outline lies on several layers of the model here: draw along another.") },
   { "The refinement needs more than {maximumFaces} (%1) new triangles, about %2 or more; ask for longer "
-    "edges "
-    "({targetEdgeLength}) or a larger tolerance, a smaller {radius} or {maxGeneration}.",
+    "edges ({targetEdgeLength}) or a larger tolerance, a smaller {radius} or {maxGeneration}.",
     QT_TRANSLATE_NOOP("Messages",
       "That needs more than %1 new triangles: make them larger, or the radius smaller.") },
   { "{The reference curve} is not all inside {the boundary}: its point %1, vertex %2 of the mesh, lies on "
-    "{the "
-    "boundary} or beyond; draw {the boundary} round the whole reference curve.",
+    "{the boundary} or beyond; draw {the boundary} round the whole reference curve.",
     QT_TRANSLATE_NOOP("Messages", "{The reference curve} is not all inside {the boundary}.") },
 };
 

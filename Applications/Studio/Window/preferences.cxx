@@ -63,9 +63,9 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
   this->Backend->addItems(
     { tr("OpenCL where there is a device"), tr("OpenCL"), tr("the processor (Embree)") });
   this->Backend->setCurrentIndex(preferences.backend);
-  this->Backend->setToolTip(tr(
-    "What measures the thickness of a model. The open one is computed again at once; Undo takes that back. "
-    "A session keeps what it was saved with, until you choose another."));
+  this->Backend->setToolTip(
+    tr("What measures the thickness of a model. The open one is computed again at once; Undo takes that "
+       "back. A session keeps what it was saved with, until you choose another."));
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

@@ -1,4 +1,4 @@
-// What a person sets once, kept per user in the usual place.
+// Settings that a person makes once, kept per user in the usual place.
 #ifndef oversketch_applications_studio_window_preferences_h
 #define oversketch_applications_studio_window_preferences_h
 
@@ -19,7 +19,7 @@ struct Preferences
   // For models that are opened from now on; a session keeps its own.
   int backend = 0; // vtkOversketchSystem::BackendType
 
-  // What QSettings holds; values out of range count as the nearest in range.
+  // Those that QSettings holds; values out of range count as the nearest in range.
   static Preferences read();
   void write() const;
 };

@@ -272,7 +272,7 @@ void ViewMenu::showOnion()
 void ViewMenu::refresh()
 {
   vtkPolyData* mesh = this->View->mesh();
-  // Of quads two each.
+  // Quads count as two each.
   const vtkIdType count =
     mesh ? mesh->GetPolys()->GetNumberOfConnectivityIds() - 2 * mesh->GetNumberOfPolys() : 0;
   this->Triangles->setText(mesh ? tr("%1 tri").arg(shortNumber(count)) : QString());
@@ -286,8 +286,7 @@ void ViewMenu::showBefore(bool shown)
   if (node >= 0)
   {
     this->Shown->requestBefore(node);
-    emit this->told(
-      tr("Before: %1").arg(QString::fromStdString(this->Shown->session().nodes[indexOf(node)].name)));
+    emit this->told(tr("Before: %1").arg(QString::fromStdString(this->Shown->nodeAt(node)->name)));
     return;
   }
   this->View->showInstead(nullptr);

@@ -30,7 +30,7 @@ struct ViewSettings
   bool free = false;     // turns as a ball does; else upright
   bool ground = false;
 
-  // What QSettings holds; what it cannot be counts as usual.
+  // Those that QSettings holds; what it cannot be counts as usual.
   static ViewSettings read();
   void write() const;
 };
@@ -48,11 +48,11 @@ public:
   // How many triangles the model has, for the status bar.
   QLabel* triangles() const { return this->Triangles; }
   void setDark(bool dark);
-  // Of the model that is opened next.
+  // Sets that of the model that is opened next.
   void setUpAxis(int axis);
 
 signals:
-  // What is shown instead of the model, in words; empty: the model again.
+  // Says what is shown instead of the model; empty: the model again.
   void told(const QString& text);
 
 protected:
