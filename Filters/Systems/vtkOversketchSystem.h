@@ -77,17 +77,20 @@ public:
   const char* GetRemark() { return this->RemarkText.c_str(); }
   const oversketch::Message& RemarkMessage() const { return this->Remark; }
 
-  ///@{
   /**
-   * What the system counted and measured of its last run, by names with dots where several belong together
-   * ("match.points"): a switch, a count, a number (NaN where there is none), or a list of words. Empty after
-   * a run that failed. GetFigure gives one of them as a number, NaN where it is none or absent.
+   * Figures that the system counted and measured of its last run, by names with dots where several belong
+   * together ("match.points"): a switch, a count, a number (NaN where there is none), or a list of words.
+   * Empty after a run that failed.
    */
   using Figure = std::variant<bool, vtkIdType, double, std::vector<std::string>>;
   using FigureList = std::vector<std::pair<std::string, Figure>>;
   virtual FigureList Figures() { return {}; }
+
+  /**
+   * Gives one figure of the last run as a number, by its name ("match.points"); NaN where it is no number or
+   * absent, as after a run that failed.
+   */
   double GetFigure(const char* name);
-  ///@}
 
   /**
    * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
