@@ -12,9 +12,11 @@
 
 #include "vtkType.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkPolyData;
 
 namespace oversketch
@@ -55,6 +57,16 @@ struct StrokeCurve
   SurfaceCurve Curve;
   int Stroke;
 };
+
+// Curves of all strokes, by what `project` makes of one: the second half of a filter's progress. Throws
+// Error(BadStroke) with `missed` for a stroke that no curve comes of.
+using Projection = std::function<
+  std::vector<SurfaceCurve>(const View& view, const DrawnLine& line, int stroke, const Context& context)>;
+std::vector<StrokeCurve> ProjectStrokes(vtkAlgorithm* filter,
+  vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  const char* missed,
+  const Projection& project);
 
 // A mesh and its ray scene, held for the next stroke.
 class KeptSurface
