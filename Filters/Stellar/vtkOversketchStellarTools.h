@@ -57,15 +57,15 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
 
-// A step with a 4-8 mesh on port 0 and curves on port 1.
+// A step with a 4-8 mesh on port 0 and curves on port 1, null where there are none.
 struct CurveStep
 {
   vtkPolyData *mesh, *curves, *output;
   vtkPolyData* third; // of port 2; null: none
   Context context;
 };
-// Of a filter; without curves, which are then null, the mesh has gone through, and is refused all the same
-// where it is none.
+// Reads that of a filter; without curves the mesh has gone through, and is refused all the same where it is
+// none.
 CurveStep CurveStepOf(vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 // Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
@@ -109,15 +109,13 @@ public:
   };
   // Gives the canonical forest after the step; none: it is as it was.
   using Change = std::function<std::optional<Forest>(const Forest& before)>;
-  // `values`: the parameters. `curves`: the step's curves, which are to be those that the mesh is snapped to;
-  // null: of no matter.
-  void Provide(vtkPolyData* input,
+  // `otherInputs`: what it reads beside mesh and curves. `values`: the parameters. `curves`: the step's,
+  // which are to be those that the mesh is snapped to; null: of no matter.
+  void Provide(const CurveStep& step,
     const std::vector<MeshKey>& otherInputs,
     const std::vector<double>& values,
     const FeatureCurves* curves,
     Motion motion,
-    vtkPolyData* output,
-    const Context& context,
     const Change& change);
 
   // Of the last result: a point's number in the input, -1 for a new one.
