@@ -193,8 +193,8 @@ public:
   ///@}
 
   /**
-   * Of {Base} base.pairs and base.unpaired; over all strokes met.crossings, met.residual, met.refused_moves
-   * ({Smooth}'s too), met.faces_added of {Snap}, met.flipped_faces (by over 90 degrees),
+   * Figures of {Base}, base.pairs and base.unpaired; over all strokes met.crossings, met.residual,
+   * met.refused_moves ({Smooth}'s too), met.faces_added of {Snap}, met.flipped_faces (by over 90 degrees),
    * met.self_intersecting_faces, met.crest_mean, met.crest_minimum of {Displace}, met.longest_curve_segment
    * [model length], met.smallest_angle of the output [degrees].
    */

@@ -185,11 +185,11 @@ public:
   int GetMovedPoints();
 
   /**
-   * That as edit.moved_points; edit.folded_edges of what comes out, by over 120 degrees, and edit.crossings,
-   * pairs of its triangles that pass through each other, both less those that were; edit.bridges, gaps that
-   * curves were led over; edit.share_seen, what part of the ring lies where it was drawn, 1 of one that an
-   * earlier edit made or that was redrawn. GetRemark is of these, but points and gaps, and of a profile that
-   * comes out at the back.
+   * Moved points as edit.moved_points; edit.folded_edges of what comes out, by over 120 degrees, and
+   * edit.crossings, pairs of its triangles that pass through each other, both less those that were;
+   * edit.bridges, gaps that curves were led over; edit.share_seen, what part of the ring lies where it was
+   * drawn, 1 of one that an earlier edit made or that was redrawn. GetRemark is of these, but points and
+   * gaps, and of a profile that comes out at the back.
    */
   FigureList Figures() override;
 

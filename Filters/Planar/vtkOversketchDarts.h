@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Of the random numbers [0 to 2147483647, default 1].
+   * Seed of the random numbers [0 to 2147483647, default 1].
    */
   vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);

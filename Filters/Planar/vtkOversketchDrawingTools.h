@@ -100,7 +100,7 @@ private:
 };
 
 /**
- * The same with `uphill`, found again.
+ * Distance maps with `uphill`, found again.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context);
 

@@ -59,7 +59,7 @@ void StellarStep::Provide(const CurveStep& step,
 {
   std::vector<MeshKey> inputs{ StellarKey(step.mesh), step.curves ? WholeKey(step.curves) : MeshKey() };
   inputs.insert(inputs.end(), otherInputs.begin(), otherInputs.end());
-  // Of inputs that are as they were, forest and curves are known to fit.
+  // Forest and curves of inputs that are as they were are known to fit.
   const StepKey inputsKey(inputs, {});
   const auto known = this->InputsKey == inputsKey ? this->Before : nullptr;
   const auto last = known ? this->Stem : nullptr;

@@ -30,7 +30,7 @@ namespace oversketch
 // Whether a polydata has an array of a 4-8 mesh's structure, sound or not.
 bool HasStellarArrays(vtkPolyData* mesh);
 
-// What a step reads of a 4-8 mesh.
+// Key of what a step reads of a 4-8 mesh.
 MeshKey StellarKey(vtkPolyData* mesh);
 
 // The forest of a 4-8 mesh. What a step of this module emitted is found as long as somebody holds it, by
@@ -38,8 +38,8 @@ MeshKey StellarKey(vtkPolyData* mesh);
 // that names the array, the cell or point, and the likely culprit. Callable from any thread.
 std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& context);
 
-// What a forest that nobody else holds has, for its holder to change it; empty, and the holder keeps it,
-// where somebody does.
+// Takes what a forest has that nobody else holds, for its holder to change it; empty, and the holder keeps
+// it, where somebody does.
 Forest TakeForest(std::shared_ptr<const Forest>& forest);
 
 // How often a forest has been rebuilt from arrays since the process started.
@@ -100,7 +100,7 @@ public:
     vtkPolyData* output,
     const std::function<Made()>& make);
 
-  // What a step from one 4-8 mesh to the next does to vertices that it does not make.
+  // Motion of vertices that a step from one 4-8 mesh to the next does not make.
   enum class Motion
   {
     None,
@@ -118,7 +118,7 @@ public:
     Motion motion,
     const Change& change);
 
-  // Of the last result: a point's number in the input, -1 for a new one.
+  // Number of each point of the last result in the input, -1 for a new one.
   const std::vector<int>& PointFrom() { return this->Arrays.PointFrom(); }
 
   // The forest of the last result; null: nothing is kept.
@@ -137,10 +137,10 @@ private:
 // cell. Throws Error(BadMesh) naming a number that is none.
 std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest);
 
-// What PartsOf reads of a mesh beside its 4-8 arrays.
+// Key of what PartsOf reads of a mesh beside its 4-8 arrays.
 MeshKey PartsKey(vtkPolyData* mesh);
 
-// What a displacement knew of its mesh, for the simplification that follows it.
+// Knowledge of a displacement about its mesh, for the simplification that follows it.
 struct Raised
 {
   std::shared_ptr<const Forest> before;

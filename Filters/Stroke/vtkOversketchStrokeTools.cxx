@@ -28,10 +28,10 @@ namespace oversketch
 namespace
 {
 
-// What a stroke may say of the feature that it draws.
+// Arrays in which a stroke may tell of the feature that it draws.
 const char* const profileArrays[] = { "Radius", "Height", "Sharpness" };
 
-// What a curve takes over from the stroke's cell.
+// Arrays that a curve takes over from the stroke's cell.
 std::vector<vtkDataArray*> passedArrays(vtkPolyData* strokes)
 {
   std::vector<vtkDataArray*> arrays = ViewArraysOf(strokes);

@@ -76,8 +76,8 @@ public:
   const SurfaceRays& Provide(vtkPolyData* mesh, const Context& context);
   const MeshData& Mesh() const { return *this->Data; }
   const SurfaceRays& Scene() const { return *this->Rays; } // of the last Provide
-  // Of some vertices what Mesh().Normals() has, bit for bit: where the mesh brings none along, neither the
-  // others' nor the adjacency are made for it.
+  // Normals of some vertices as Mesh().Normals() has them, bit for bit: where the mesh brings none along,
+  // neither the others' nor the adjacency are made for it.
   std::vector<Vector3> NormalsOf(const std::vector<int>& vertices) const;
   vtkIdType Builds() const { return this->BuildCount; }
 

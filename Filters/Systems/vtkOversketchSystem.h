@@ -159,8 +159,8 @@ protected:
   int RunSystem(const std::function<void()>& body);
   // Says of what the run makes that it is not as drawn, and tells it as a warning; an empty one says nothing.
   void SetRemark(const oversketch::Message& remark);
-  // The same outside a run: without an error event. Returns whether body returned true; where it threw, the
-  // error code tells why.
+  // Runs a body outside a run: without an error event. Returns whether body returned true; where it threw,
+  // the error code tells why.
   bool Try(const std::function<bool()>& body);
   // Says that the run goes through the steps so often; each time then counts for its part of the progress.
   void SetPasses(std::size_t passes) { this->Passes = passes; }
@@ -168,7 +168,7 @@ protected:
   void RunStage(const char* name, const std::function<void()>& work = nullptr);
   // The output of a step by its own name.
   vtkPolyData* StageOutput(const char* name);
-  // What an input port is given, brought up to date outside a run; null where that is nothing.
+  // Data that an input port is given, brought up to date outside a run; null where that is nothing.
   vtkDataObject* UpdatedInput(int port);
   // The triangles of a mesh that have so many chosen corners at least, as GetRegion gives them.
   static void PutTriangles(vtkPolyData* mesh,

@@ -47,7 +47,7 @@ std::vector<Pixel> leastPath(const EdgeFeatures& features,
   const Pixel& to,
   const Context& context);
 
-// The same cost of a given path, by its formula.
+// Cost of a given path, by its formula.
 double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path);
 
 // Direction of the edge through a pixel [rad], at right angles to the gradient; NaN where there is none.

@@ -26,7 +26,7 @@ public:
     Pixel pixel;
     double cost; // of the way there
   };
-  // Of a target: infinite where no way leads.
+  // Cost to a target: infinite where no way leads.
   double cost(const Pixel& target) const;
   // From a start to a target; empty where no way leads.
   std::vector<Pixel> pathTo(const Pixel& target) const;
