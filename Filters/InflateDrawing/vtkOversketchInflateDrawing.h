@@ -162,7 +162,7 @@ public:
   vtkGetMacro(LevelsMade, int);
 
   /**
-   * What each stroke was taken for, strokes, as words; and the two above, rebuilds and levels.
+   * Classes that strokes were taken for, strokes, as words; and the two above, rebuilds and levels.
    */
   FigureList Figures() override;
 

@@ -1,6 +1,6 @@
 /**
  * @class vtkOversketchSystem
- * @brief what every system of a paper is: named steps, run one after the other, and what hosts ask of it
+ * @brief base of every paper's system: named steps, run one after the other, and what hosts ask of it
  *
  * A system is one filter over many: it owns its steps, connects them, runs them by name and makes its output
  * of what they made. This base knows no step. It runs them, hears their errors and warnings, adds up their
@@ -52,8 +52,8 @@ public:
   virtual bool Prepare() { return false; }
 
   /**
-   * What a stroke would take hold of, for a pen that is still down: on a mesh and a stroke of its own, a
-   * polyline on the mesh. What it makes of mesh and view is kept, also for the next Update; a stroke of one
+   * Finds what a stroke would take hold of, for a pen that is still down: on a mesh and a stroke of its own,
+   * a polyline on the mesh. What it makes of mesh and view is kept, also for the next Update; a stroke of one
    * sample makes that alone. The output and the inputs stay as they are. False, and `hold` empty, where there
    * is nothing to take hold of or the call was stopped; the error code tells why.
    */
@@ -61,16 +61,16 @@ public:
 
   ///@{
   /**
-   * What the last run took hold of, a polyline on the mesh that came in, and the triangles that it moved,
-   * where they are now, as a mesh of its own without arrays. Empty after a run that failed, or where the
-   * system has none.
+   * Give what the last run took hold of, a polyline on the mesh that came in, and the triangles that it
+   * moved, where they are now, as a mesh of its own without arrays. Empty after a run that failed, or where
+   * the system has none.
    */
   virtual void GetHold(vtkPolyData* hold);
   virtual void GetRegion(vtkPolyData* region);
   ///@}
 
   /**
-   * What is to be said of the last result because it is not as drawn, in words and figures; empty where there
+   * Remark on the last result because it is not as drawn, in words and figures; empty where there
    * is nothing to say and after a run that failed. A warning said the same during the run.
    * RemarkMessage has it as data.
    */
