@@ -62,7 +62,7 @@ public:
   };
   ///@{
   /**
-   * What strokes refine: Direct (default), the mesh itself, or a coarser one (see {Base}) that follows it.
+   * Mesh to refine: Direct (default), the mesh itself, or a coarser one (see {Base}) that follows it.
    */
   void SetBase(int base);
   vtkGetMacro(Base, int);
@@ -193,8 +193,8 @@ public:
   ///@}
 
   /**
-   * Of {Base} base.pairs and base.unpaired; over all strokes met.crossings, met.residual, met.refused_moves
-   * ({Smooth}'s too), met.faces_added of {Snap}, met.flipped_faces (by over 90 degrees),
+   * Figures of {Base}, base.pairs and base.unpaired; over all strokes met.crossings, met.residual,
+   * met.refused_moves ({Smooth}'s too), met.faces_added of {Snap}, met.flipped_faces (by over 90 degrees),
    * met.self_intersecting_faces, met.crest_mean, met.crest_minimum of {Displace}, met.longest_curve_segment
    * [model length], met.smallest_angle of the output [degrees].
    */
@@ -205,8 +205,8 @@ public:
   void GetHold(vtkPolyData* hold) override;
   void GetRegion(vtkPolyData* region) override;
   /**
-   * What strokes would make, while the pen is down: three polylines a curve, cell arrays CurveId and Part (0
-   * crest or sketch, 1 and 2 feet). As Preview else; false without a stroke of two samples, after Prepare.
+   * Shows what strokes would make, while the pen is down: three polylines a curve, cell arrays CurveId, Part
+   * (0 crest or sketch, 1 and 2 feet). As Preview else; false without a stroke of two samples, after Prepare.
    */
   bool PreviewCrest(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* crest);
 

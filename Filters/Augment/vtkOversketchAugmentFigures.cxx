@@ -1,4 +1,4 @@
-// What the steps of vtkOversketchAugment count, over all its strokes.
+// Figures that the steps of vtkOversketchAugment count, over all its strokes.
 #include "vtkOversketchAugmentPipeline.h"
 
 #include "Mesh/shape.h"

@@ -32,7 +32,7 @@
 #include <utility>
 #include <vector>
 
-// Of all passes of a run.
+// Figures of all passes of a run.
 struct vtkOversketchAugmentFigures
 {
   int Crossings = 0, Residual = 0, RefusedMoves = 0, FacesAdded = 0, FlippedFaces = 0, HeldBack = 0;
@@ -60,7 +60,7 @@ struct vtkOversketchAugment::Pipeline
   void Connect();
   // Whether refinement reads its new points from a source, which is not where strokes were projected.
   bool ReadsSource() const;
-  // What of the system's parameters the steps have, for a pass's mesh, after {Base}.
+  // Hands the system's parameters to the steps that have them, for a pass's mesh, after {Base}.
   void SetParameters();
   void SetEdges(vtkOversketchStellarRefine* step, double radius) const;
   void SetShape(vtkOversketchStellarDisplace* step,
@@ -82,9 +82,9 @@ struct vtkOversketchAugment::Pipeline
   const char* DrawnName() const { return this->Self->SketchMode == Silhouette ? "Sketch" : "Curves"; }
   const char* CurvesName() const { return this->ReadsSource() ? "CurvesOnSource" : this->DrawnName(); }
   const char* LastName() const { return this->Self->Simplify ? "Simplify" : "Displace"; }
-  // What the steps count, after a pass; see vtkOversketchAugment::Figures.
+  // Adds what the steps count, after a pass; see vtkOversketchAugment::Figures.
   void AddFigures();
-  // What of them is not as it should be; empty: nothing, or the run failed.
+  // Remark on what of them is not as it should be; empty: nothing, or the run failed.
   oversketch::Message Remark() const;
 
   // The user's mesh with what the steps made of it.
@@ -97,8 +97,9 @@ struct vtkOversketchAugment::Pipeline
 
   std::optional<vtkOversketchAugmentFigures> Counted; // nothing after a run that failed
 
-  // What the inner pipeline starts from. Start is the mesh that came in, welded where that has repeated
-  // points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads normals.
+  // Meshes that the inner pipeline starts from. Start is the mesh that came in, welded where that has
+  // repeated points; Mesh that of the present pass; Shape its 4-8 mesh without arrays, so that no step reads
+  // normals.
   vtkNew<vtkPolyData> Start, Mesh, Shape, Strokes;
   vtkNew<vtkPolyData> RefinedShape;   // the same of {Refine}
   vtkNew<vtkPolyData> Uneven, Evened; // what {Even} starts from, and makes for EvenedKey; empty: nothing
@@ -127,9 +128,9 @@ struct vtkOversketchAugment::Pipeline
   vtkNew<vtkOversketchStellarDisplace> Displace, Reshaped; // the second beside the pipeline
   vtkNew<vtkOversketchStellarSimplify> Simplify;
 
-  // Of the last output, as shallow copies, so that a preview does not touch it: what {Smooth}, {Displace},
-  // the curves' step and the last step made. Per point of the output its number in that of {Displace}; empty
-  // after several passes.
+  // Parts of the last output, as shallow copies, so that a preview does not touch it: what {Smooth},
+  // {Displace}, the curves' step and the last step made. Per point of the output its number in that of
+  // {Displace}; empty after several passes.
   struct Result
   {
     vtkNew<vtkPolyData> Smooth, Displaced, Curves, Sketch, Last;

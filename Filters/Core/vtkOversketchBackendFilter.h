@@ -46,7 +46,7 @@ public:
   virtual int GetBackendUsed() { return this->BackendUsed; }
 
   /**
-   * What a back end is called in files and on the command line: "auto", "opencl", or, for Host, "embree"
+   * Name of a back end in files and on the command line: "auto", "opencl", or, for Host, "embree"
    * after the library that casts rays there; null beyond.
    */
   static const char* GetBackendWord(int backend);

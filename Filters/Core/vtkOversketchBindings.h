@@ -26,7 +26,7 @@ enum class Unbound
 };
 
 /**
- * What each point of `points` hangs on; nothing is asked of a polydata without points. holder names the input
+ * Bindings of the points of `points`; nothing is asked of a polydata without points. holder names the input
  * in messages ("handles"), remedy says what makes it. Throws Error(MissingArray) for an array that is absent
  * or has the wrong shape, Error(BadMesh) naming the first point that hangs on a vertex outside
  * [0, vertexCount) or has weights that are not finite or do not sum to 1.

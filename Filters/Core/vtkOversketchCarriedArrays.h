@@ -123,7 +123,7 @@ private:
 };
 
 /**
- * What becomes of an array of points: the input's point that each point is, or -1; those are mixed where the
+ * Carries an array of points: the input's point that each point is, or -1; those are mixed where the
  * array can be (IsMixable) and holds no labels.
  */
 struct OVERSKETCHFILTERSCORE_EXPORT CarriedPoints
@@ -147,13 +147,13 @@ OVERSKETCHFILTERSCORE_EXPORT void CarryArrays(vtkDataSetAttributes* from,
   const std::function<vtkSmartPointer<vtkAbstractArray>(vtkAbstractArray* array, bool normals)>& made);
 
 /**
- * What arrays became in the last run of a step, for as long as they stand.
+ * Results of arrays in the last run of a step, for as long as they stand.
  */
 class OVERSKETCHFILTERSCORE_EXPORT KeptArrays
 {
 public:
   /**
-   * What became of the array when it was used that way, else what `make` gives.
+   * Gives what became of the array when it was used that way, else what `make` gives.
    */
   vtkSmartPointer<vtkAbstractArray> Provide(vtkAbstractArray* array,
     int use,

@@ -1,5 +1,5 @@
 /**
- * What the steps of an edit hand on as arrays: curves that run along the edges of a mesh, polylines with
+ * Arrays that the steps of an edit hand on: curves that run along the edges of a mesh, polylines with
  * point array VertexId, the vertex that each point is; and the region, point array EditRegion of a mesh, as
  * vtkOversketchEnclose writes it. Free functions, for use in the .cxx of filters; not wrapped.
  */
@@ -57,12 +57,12 @@ OVERSKETCHFILTERSCORE_EXPORT Chain ReadChain(vtkPolyData* curve,
 OVERSKETCHFILTERSCORE_EXPORT std::vector<int> VerticesOnce(Chain chain);
 
 /**
- * What ReadChains reads.
+ * Key of what ReadChains reads.
  */
 OVERSKETCHFILTERSCORE_EXPORT MeshKey ChainsKey(vtkPolyData* curves);
 
 /**
- * What EditRegion says of a vertex.
+ * Values of EditRegion at a vertex.
  */
 struct EditLabel
 {

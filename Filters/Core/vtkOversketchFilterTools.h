@@ -1,6 +1,6 @@
 /**
- * What the Oversketch filters share: VTK data to kernel data and back, the view that a stroke carries, errors
- * and cancelling, cache keys. Free functions, for use in the .cxx of filters; not wrapped.
+ * Tools that the Oversketch filters share: VTK data to kernel data and back, the view that a stroke carries,
+ * errors and cancelling, cache keys. Free functions, for use in the .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchFilterTools_h
 #define vtkOversketchFilterTools_h
@@ -39,7 +39,7 @@ namespace oversketch
 OVERSKETCHFILTERSCORE_EXPORT int RunFilter(vtkAlgorithm* self, const std::function<void()>& body);
 
 /**
- * What a port is, where it is not one vtkPolyData that must be there.
+ * Kind of a port, where it is not one vtkPolyData that must be there.
  */
 enum class Port
 {
@@ -107,7 +107,8 @@ OVERSKETCHFILTERSCORE_EXPORT double ReachOf(vtkPolyData* polyData);
 OVERSKETCHFILTERSCORE_EXPORT Mesh MeshOf(vtkPolyData* polyData);
 
 /**
- * What has been made of whole meshes since the process started; a test sees by it what sharing spares.
+ * Counts of what has been made of whole meshes since the process started; a test sees by it what sharing
+ * spares.
  */
 struct MeshWork
 {

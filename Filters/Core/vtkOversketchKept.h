@@ -23,8 +23,8 @@ namespace oversketch
 {
 
 /**
- * What a step has read: its inputs, with the arrays it looks at, its parameters, and the view where it has
- * one. Its result stands while this does.
+ * Key of what a step has read: its inputs, with the arrays it looks at, its parameters, and the view where it
+ * has one. Its result stands while this does.
  */
 class OVERSKETCHFILTERSCORE_EXPORT StepKey
 {
@@ -56,7 +56,7 @@ class KeptValue
 {
 public:
   /**
-   * What is kept, where the key is the same, else what make gives. Nothing is kept when making throws.
+   * Gives what is kept, where the key is the same, else what make gives. Nothing is kept when making throws.
    */
   template <class Make>
   const Value& Provide(const StepKey& key, const Make& make)

@@ -1,6 +1,6 @@
 /**
- * What was made of a polydata, found again as long as somebody holds it. For use in the .cxx of filters; not
- * wrapped.
+ * Register of what was made of a polydata, to be found again as long as somebody holds it. For use in the
+ * .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchRegister_h
 #define vtkOversketchRegister_h

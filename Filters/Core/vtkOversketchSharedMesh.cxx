@@ -51,7 +51,7 @@ std::shared_ptr<const std::vector<Vector3>> OwnNormals(vtkPolyData* polyData)
   return std::make_shared<const std::vector<Vector3>>(std::move(normals));
 }
 
-// What tells meshes apart, and their parts.
+// Key that tells meshes apart, and their parts.
 struct Key
 {
   explicit Key(vtkPolyData* polyData)

@@ -98,8 +98,9 @@ public:
 
   ///@{
   /**
-   * What is to the right in the view in which the profile was opened, a vector of any length in world space:
-   * the profile runs that way. Default 0 0 0: to the frame's side, which is the left of the curve as it goes.
+   * Direction to the right in the view in which the profile was opened, a vector of any length in world
+   * space: the profile runs that way. Default 0 0 0: to the frame's side, which is the left of the curve as
+   * it goes.
    */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);

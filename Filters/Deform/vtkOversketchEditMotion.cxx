@@ -117,7 +117,7 @@ FlatProfile ProfileOf(vtkPolyData* data)
   return profile;
 }
 
-// Of every vertex; zero where EditRegion is not 2, the share of the way 1.
+// Values of every vertex; zero where EditRegion is not 2, the share of the way 1.
 struct VertexValues
 {
   std::vector<double> Share, Parameter, Weight;
@@ -142,7 +142,7 @@ struct VertexValues
     }
   }
 
-  // What weights differ from those of their shares.
+  // Difference of a weight from that of its share.
   double Rest(std::size_t vertex, const WeightOfShare& weight) const
   {
     return this->Weight[vertex] - (weight ? weight(this->Share[vertex]) : 0.0);

@@ -1,5 +1,5 @@
 /**
- * What the editors do to a region's places, as handles and a profile that was drawn anew say it. Free
+ * Motion of a region's places by the editors, as handles and a profile that was drawn anew say it. Free
  * functions, for use in the .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchEditMotion_h

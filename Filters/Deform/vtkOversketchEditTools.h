@@ -1,5 +1,5 @@
 /**
- * What the editors' filters read: curves along a mesh's edges, a region's arrays, handles, frames. Free
+ * Readers of the editors' filters: curves along a mesh's edges, a region's arrays, handles, frames. Free
  * functions, for use in the .cxx of filters; not wrapped.
  */
 #ifndef vtkOversketchEditTools_h

@@ -62,7 +62,7 @@ public:
 
   ///@{
   /**
-   * What is done, apart by semicolons: "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2": at a
+   * Operations, apart by semicolons: "move 0.5 n 0.1; rotate 0.7 t 30; scale 0.3 w 1.5; pin 0.2": at a
    * share of the curve's length, along or about an axis (t along the curve, w beside it, n outward), by a
    * length, degrees or a factor. A pin does nothing and so ends what its neighbours do. Several at one place
    * act at once. "drag 12 -5" moves the curve as a whole, so many pixels to the right and up in its view, as

@@ -56,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Of the last deformation: points that are not where they were; edges whose triangles' normals are over 120
-   * degrees apart and were not before.
+   * Counts of the last deformation: points that are not where they were; edges whose triangles' normals are
+   * over 120 degrees apart and were not before.
    */
   vtkGetMacro(MovedPoints, int);
   vtkGetMacro(FoldedEdges, int);

@@ -1,6 +1,6 @@
 /**
  * @class vtkOversketchMirror
- * @brief what a deformation did on one side of a plane, done on the other side too
+ * @brief does on the other side of a plane what a deformation did on one
  *
  * For symmetric models: a stroke on one limb moves the other one exactly alike. Not in the paper; what
  * modelling programs call symmetry. Of models without partners, sessions run the stroke a second time, in the

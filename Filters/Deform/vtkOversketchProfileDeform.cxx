@@ -22,7 +22,7 @@
 
 using namespace oversketch;
 
-// What depends on mesh, region and curve alone, and the last result.
+// Work that depends on mesh, region and curve alone, and the last result.
 struct vtkOversketchProfileDeform::Cache
 {
   std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs

@@ -67,7 +67,7 @@ public:
   };
   ///@{
   /**
-   * What is outward: the Surface's normal at the place (default), or as published the normal of the plane
+   * Outward direction: the Surface's normal at the place (default), or as published the normal of the plane
    * that is Fitted to the curve, the same all along it.
    */
   vtkSetClampMacro(Frame, int, Surface, Fitted);

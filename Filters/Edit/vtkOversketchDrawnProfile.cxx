@@ -24,9 +24,10 @@ namespace
 constexpr int profileSteps = 400;
 constexpr std::size_t profileSamples = 2048;
 
-// Of a profile's length: smaller loops are a hand's trembling, ends nearer to each other are one place.
+// Shares of a profile's length: smaller loops are a hand's trembling, ends nearer to each other are one
+// place.
 constexpr double leastLoop = 0.05, leastGap = 0.01;
-// Of the section's longer side: how far from it a profile that redraws it may begin or end.
+// Share of the section's longer side: how far from it a profile that redraws it may begin or end.
 constexpr double farthestEnd = 0.75;
 // Cosine of the angle to the plane's normal, from which on a view no longer looks onto the plane.
 constexpr double leastFacing = 0.7;

@@ -83,7 +83,7 @@ public:
 
   ///@{
   /**
-   * What is done to the line, such as "move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5", see
+   * Operations on the line, such as "move 0.5 n 0.1; rotate 0.7 t 30; pin 0.2; drag 12 -5", see
    * vtkOversketchHandles; all at once, in no order. A drag is in pixels of the view that the line was first
    * drawn in. Empty (default): nothing.
    */
@@ -185,11 +185,11 @@ public:
   int GetMovedPoints();
 
   /**
-   * That as edit.moved_points; edit.folded_edges of what comes out, by over 120 degrees, and edit.crossings,
-   * pairs of its triangles that pass through each other, both less those that were; edit.bridges, gaps that
-   * curves were led over; edit.share_seen, what part of the ring lies where it was drawn, 1 of one that an
-   * earlier edit made or that was redrawn. GetRemark is of these, but points and gaps, and of a profile that
-   * comes out at the back.
+   * Moved points as edit.moved_points; edit.folded_edges of what comes out, by over 120 degrees, and
+   * edit.crossings, pairs of its triangles that pass through each other, both less those that were;
+   * edit.bridges, gaps that curves were led over; edit.share_seen, what part of the ring lies where it was
+   * drawn, 1 of one that an earlier edit made or that was redrawn. GetRemark is of these, but points and
+   * gaps, and of a profile that comes out at the back.
    */
   FigureList Figures() override;
 
@@ -201,7 +201,7 @@ public:
 
   ///@{
   /**
-   * What comes out with Rule Off, to the bit, for the inputs and parameters by now, without a run: to be
+   * Output with Rule Off, to the bit, for the inputs and parameters by now, without a run: to be
    * shown while something is dragged. The mesh in `edited` always has active point normals. What one call has
    * written into `edited` the next one writes over, as the same cells and arrays: places and normals of the
    * region alone are new. DragLine adds "drag RIGHT UP" to the operations [px of the line's view], which stay

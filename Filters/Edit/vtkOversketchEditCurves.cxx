@@ -63,7 +63,7 @@ bool SameLine(vtkPolyData* a, vtkPolyData* b)
          sameArrays(a->GetPointData(), b->GetPointData()) && sameArrays(a->GetCellData(), b->GetCellData());
 }
 
-// What tells InsertCurve that polylines are runs of one curve.
+// Adds the arrays that tell InsertCurve that polylines are runs of one curve.
 void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
 {
   const std::pair<const char*, int> values[] = { { "StrokeId", 0 }, { "Closed", closed ? 1 : 0 } };
@@ -361,7 +361,7 @@ void LayRedrawn(const RedrawnPart& part, vtkPolyData* projected, vtkPolyData* me
     runs.Write(true, rings, part.Stroke, laid);
     return;
   }
-  // Of an open stroke there is one run; what is hidden at its ends is missing there.
+  // An open stroke has one run; what is hidden at its ends is missing there.
   vtkDataArray* along = projected->GetPointData()->GetArray("CurveT");
   const bool begins = along->GetComponent(0, 0) == 0.0;
   const bool ends = along->GetComponent(projected->GetNumberOfPoints() - 1, 0) == 1.0;

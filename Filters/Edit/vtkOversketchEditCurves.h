@@ -1,5 +1,5 @@
-// What the edit's inputs draw: curves and what redraws them, curves of an earlier edit on a mesh that has
-// changed. Not installed.
+// Curves that the edit's inputs draw: curves and what redraws them, curves of an earlier edit on a mesh that
+// has changed. Not installed.
 #ifndef vtkOversketchEditCurves_h
 #define vtkOversketchEditCurves_h
 
@@ -36,10 +36,10 @@ private:
 // Whether a curve is one that an edit has put out.
 bool IsCurveOfEdit(vtkPolyData* curve);
 
-// Such a curve at the nearest places of the mesh, as vtkOversketchProjectCurve would have it.
+// Lays such a curve at the nearest places of the mesh, as vtkOversketchProjectCurve would.
 void LayOnMesh(vtkPolyData* curve, vtkPolyData* mesh, bool closed, const Context& context, vtkPolyData* laid);
 
-// What a redrawn curve on a mesh (vtkOversketchResketch) has that the old one had not: the samples in a row
+// Part of a redrawn curve on a mesh (vtkOversketchResketch) that the old one had not: the samples in a row
 // that are no vertices, as a stroke in the view that they were drawn in. Of kept the vertices that are, in
 // the curve's direction: before and after that row; of a closed curve after it alone, from its end on.
 struct RedrawnPart

@@ -1,4 +1,4 @@
-// Of a ring on a mesh, what is on the limb that the line lies on. Not installed.
+// Parts of a ring on a mesh that are on the limb that the line lies on. Not installed.
 #ifndef vtkOversketchEditLimb_h
 #define vtkOversketchEditLimb_h
 
@@ -24,7 +24,7 @@ void KeepSpans(vtkPolyData* ring, const RunSpans& spans, vtkPolyData* kept);
 // the mesh, for their view; spline: the ring in the picture.
 double ShareOutside(vtkPolyData* mesh, vtkPolyData* ring, vtkPolyData* spline);
 
-// What part of a ring's length lies within `reach` of runs that were seen.
+// Share of a ring's length that lies within `reach` of runs that were seen.
 double ShareSeen(vtkPolyData* ring, vtkPolyData* seen, double reach);
 
 } // namespace oversketch

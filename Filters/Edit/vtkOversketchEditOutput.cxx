@@ -1,4 +1,4 @@
-// What an edit puts out.
+// Output of an edit.
 #include "vtkOversketchEditPipeline.h"
 
 #include "Mesh/weld.h"

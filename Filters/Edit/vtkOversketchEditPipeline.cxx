@@ -276,7 +276,7 @@ void vtkOversketchEdit::Pipeline::RunWeights()
   this->Self->RunStage(this->WeightName());
 }
 
-// What is told to what turns with the surface: normals of the welded mesh, which has none of its own.
+// Tells what turns with the surface: normals of the welded mesh, which has none of its own.
 void vtkOversketchEdit::Pipeline::AddNormals()
 {
   const StepKey ofMesh({ MeshKey(this->Boundary.Made.Mesh) }, {});

@@ -47,7 +47,7 @@ struct vtkOversketchEdit::Pipeline
 {
   explicit Pipeline(vtkOversketchEdit* self);
 
-  // What comes in by ports 0 to 6; the last four may be null.
+  // Inputs of ports 0 to 6; the last four may be null.
   struct Inputs
   {
     vtkPolyData *Mesh, *Reference, *Boundary, *Profile, *Areas;
@@ -77,7 +77,7 @@ struct vtkOversketchEdit::Pipeline
   void RunTriangles();
   // All before the deformation.
   void RunToWeights(const Inputs& inputs);
-  // Of a ring that encloses no region another one that does, as a sentence; empty where none is found.
+  // Another ring, for one that encloses no region, that does, as a sentence; empty where none is found.
   oversketch::Message CircleThatWouldDo(const Inputs& inputs);
   bool Show(const std::string& operations, vtkPolyData* edited); // as PreviewEdit
   void PutPreview(vtkPolyData* edited);
@@ -91,7 +91,7 @@ struct vtkOversketchEdit::Pipeline
 
   vtkOversketchEdit* Self;
 
-  // What the inner pipeline starts from: Start is the mesh that came in, welded.
+  // Meshes that the inner pipeline starts from: Start is the mesh that came in, welded.
   vtkNew<vtkPolyData> Start, Plain;
   std::unique_ptr<oversketch::Weld> Welding;
   oversketch::MeshKey MeshSeen;
@@ -117,7 +117,7 @@ struct vtkOversketchEdit::Pipeline
     oversketch::DrawnLines Lines;
     vtkNew<vtkPolyData> Input, LaidFirst, Laid;
     oversketch::StepKey LaidFirstSeen, LaidSeen;
-    // Of a ring the runs on the line's limb, where it passes over others too; of both projections.
+    // Runs of a ring on the line's limb, where it passes over others too; of both projections.
     oversketch::RunSpans Spans;
     oversketch::StepKey SpansSeen, KeptSeen[2];
     vtkNew<vtkPolyData> Kept[2];
@@ -173,7 +173,7 @@ struct vtkOversketchEdit::Pipeline
   oversketch::StepKey MotionSeen;
   std::shared_ptr<const oversketch::Motion> Motion; // that the last step goes by
 
-  // Of the last output, as shallow copies.
+  // Parts of the last output, as shallow copies.
   struct Result
   {
     vtkNew<vtkPolyData> Output, Reference;

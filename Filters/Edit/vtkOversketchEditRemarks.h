@@ -1,4 +1,4 @@
-// What is to be said of an edit that is not as drawn. Not installed.
+// Remarks on an edit that is not as drawn. Not installed.
 #ifndef vtkOversketchEditRemarks_h
 #define vtkOversketchEditRemarks_h
 

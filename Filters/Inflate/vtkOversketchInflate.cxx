@@ -26,7 +26,7 @@
 
 using namespace oversketch;
 
-// What heights are read from, each made anew when what is before it is.
+// Maps that heights are read from, each made anew when what is before it is.
 // Pixels along a cell of the grid on which smoothing and Poisson's equation are solved.
 constexpr int gridStep = 2;
 

@@ -67,7 +67,7 @@ public:
   void SetDistanceData(vtkDataObject* distance) { this->SetInputData(1, distance); }
 
   /**
-   * What heights were read from, on port 1.
+   * Maps that heights were read from, on port 1.
    */
   vtkImageData* GetHeightsOutput();
 

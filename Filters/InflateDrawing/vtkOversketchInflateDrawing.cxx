@@ -66,14 +66,14 @@ struct vtkOversketchInflateDrawing::Pipeline
 
   vtkOversketchInflateDrawing* Self;
 
-  // What the inner pipeline starts from.
+  // Data that the inner pipeline starts from.
   vtkNew<vtkPolyData> Strokes;
   vtkNew<vtkImageData> Picture, Back;
   std::pair<const vtkPolyData*, vtkMTimeType> StrokesSeen{ nullptr, 0 };
   std::pair<const vtkImageData*, vtkMTimeType> PictureSeen{ nullptr, 0 }, BackSeen{ nullptr, 0 };
   bool MagneticSeen = false;
 
-  // What was handed back for the present curves, and what these and the steps are told apart by.
+  // Splits that were handed back for the present curves, and what these and the steps are told apart by.
   vtkNew<vtkPolyData> Splits;
   std::vector<vtkMTimeType> MeshSeen;
   int MeshRebuilds = 0;

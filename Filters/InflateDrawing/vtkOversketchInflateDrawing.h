@@ -98,7 +98,7 @@ public:
 
   ///@{
   /**
-   * The same of strokes whose inside is cut out of the finished surface.
+   * Numbers of strokes, written alike, whose inside is cut out of the finished surface.
    */
   void SetTunnels(const char* strokes);
   const char* GetTunnels() const { return this->Tunnels.c_str(); }
@@ -162,7 +162,7 @@ public:
   vtkGetMacro(LevelsMade, int);
 
   /**
-   * What each stroke was taken for, strokes, as words; and the two above, rebuilds and levels.
+   * Classes that strokes were taken for, strokes, as words; and the two above, rebuilds and levels.
    */
   FigureList Figures() override;
 

@@ -39,7 +39,7 @@ bool spoilsTheDrawing(Rejection why)
   return why == Rejection::Crosses || why == Rejection::CrossesItself || why == Rejection::Areas;
 }
 
-// What to say of the strokes that can be left out. Throws what is to be said of the others.
+// Words on the strokes that can be left out. Throws what is to be said of the others.
 std::vector<Message> judged(const Classification& classification, const std::vector<DrawnStroke>& strokes)
 {
   std::vector<Message> warnings, errors;

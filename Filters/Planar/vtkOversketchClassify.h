@@ -1,6 +1,6 @@
 /**
  * @class vtkOversketchClassify
- * @brief what each stroke of a drawing is: an object's boundary, a closed or an open feature
+ * @brief classes of a drawing's strokes: an object's boundary, a closed or an open feature
  *
  * Source: "Image-Assisted Modeling from Sketches", Sec. 2.2.1, Fig. 6: strokes are drawn into a raster, its
  * areas tell boundaries, closed and open features apart. Departures: roles and regions follow from the closed

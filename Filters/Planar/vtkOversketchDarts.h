@@ -53,7 +53,7 @@ public:
 
   ///@{
   /**
-   * What distance darts keep: Local, 0.7 of the thickness there, at least 6 px, less beside corners that
+   * Distance that darts keep: Local, 0.7 of the thickness there, at least 6 px, less beside corners that
    * point inwards; Published, half of the object's greatest distance from its rim; Off, there are none
    * [default Local].
    */
@@ -66,7 +66,7 @@ public:
 
   ///@{
   /**
-   * Of the random numbers [0 to 2147483647, default 1].
+   * Seed of the random numbers [0 to 2147483647, default 1].
    */
   vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);

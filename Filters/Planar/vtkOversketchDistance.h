@@ -58,7 +58,7 @@ public:
 
   ///@{
   /**
-   * What LocalMax is: Local, T at the ridge; Global, the object's greatest T, which makes thin limbs several
+   * Rule of LocalMax: Local, T at the ridge; Global, the object's greatest T, which makes thin limbs several
    * times too thick [default Local].
    */
   vtkSetClampMacro(LocalMaxMode, int, LOCAL, GLOBAL);

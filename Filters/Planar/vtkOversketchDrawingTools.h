@@ -58,14 +58,14 @@ OVERSKETCHFILTERSPLANAR_EXPORT Drawing DrawingOf(vtkPolyData* curves);
 OVERSKETCHFILTERSPLANAR_EXPORT Frame RasterOf(vtkPolyData* curves);
 
 /**
- * What becomes of the inside of each stroke, see there.
+ * Fate of the inside of each stroke, see there.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT std::vector<Treatment> TreatmentsOf(vtkPolyData* curves);
 
 /**
- * What the strokes are, from the cell arrays that vtkOversketchClassify writes: roles, regions, objects. Why
- * a stroke was rejected, contacts, areas and their labels are not in them. Throws Error(MissingArray) for an
- * absent array, Error(BadStroke) naming the stroke where they contradict each other.
+ * Reads what the strokes are from the cell arrays that vtkOversketchClassify writes: roles, regions, objects.
+ * Why a stroke was rejected, contacts, areas and their labels are not in them. Throws Error(MissingArray) for
+ * an absent array, Error(BadStroke) naming the stroke where they contradict each other.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT Classification ClassificationOf(vtkPolyData* curves);
 
@@ -100,7 +100,7 @@ private:
 };
 
 /**
- * The same with `uphill`, found again.
+ * Distance maps with `uphill`, found again.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps UphillMapsOf(vtkImageData* image, const Context& context);
 
@@ -110,7 +110,7 @@ OVERSKETCHFILTERSPLANAR_EXPORT DistanceMaps UphillMapsOf(vtkImageData* image, co
 OVERSKETCHFILTERSPLANAR_EXPORT void WriteDistanceMaps(const DistanceMaps& maps, vtkImageData* image);
 
 /**
- * What tells distance images apart.
+ * Key that tells distance images apart.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT MeshKey ImageKey(vtkImageData* image);
 

@@ -143,13 +143,13 @@ public:
   ///@}
 
   /**
-   * Of the last refinement: faces that are turned over, or cover next to nothing, in the output, or where
-   * there are splits those that are the cause of them.
+   * Figures of the last refinement: faces that are turned over, or cover next to nothing, in the output, or
+   * where there are splits those that are the cause of them.
    */
   vtkGetMacro(Inverted, int);
 
   /**
-   * Of the last refinement: the levels, Levels, one more, or those of the sketch.
+   * Levels of the last refinement: Levels, one more, or those of the sketch.
    */
   vtkGetMacro(LevelsMade, int);
 

@@ -39,7 +39,8 @@ OVERSKETCHFILTERSPLANAR_EXPORT void WriteStrokeEdges(const PlanarMesh& mesh,
   vtkPolyData* edges);
 
 /**
- * What tells meshes, edges on strokes, polylines and splits apart: points, cells, all point and cell arrays.
+ * Key that tells meshes, edges on strokes, polylines and splits apart: points, cells, all point and cell
+ * arrays.
  */
 OVERSKETCHFILTERSPLANAR_EXPORT MeshKey PlanarKey(vtkPolyData* data);
 

@@ -66,7 +66,7 @@ void vtkOversketchTreatment::Execute(vtkInformationVector** inputs, vtkInformati
   {
     names = std::max(names, nameOf(strokes, i) + 1);
   }
-  // Of several curves of one stroke the one that it may be.
+  // Finds, of several curves of one stroke, the one that it may be.
   const auto curveOf = [&](int name)
   {
     int found = -1;

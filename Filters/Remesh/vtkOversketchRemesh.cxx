@@ -33,7 +33,7 @@ using namespace oversketch;
 // The last result, and what it was made from.
 struct vtkOversketchRemesh::Cache
 {
-  // What a run reads.
+  // Input of a run.
   struct Question
   {
     vtkDataArray* Region = nullptr;

@@ -113,7 +113,7 @@ int areasIn(vtkImageData* image)
 
 } // namespace
 
-// What does not depend on the layers, and the last result.
+// Work that does not depend on the layers, and the last result.
 struct vtkOversketchShadingLevels::Cache
 {
   StepKey PlacesKey, AreasKey, Key;

@@ -1,5 +1,5 @@
 /**
- * What the filters of this room share: a mesh with its region, arrays of images. Free
+ * Tools that the filters of this room share: a mesh with its region, arrays of images. Free
  * functions, for use in the .cxx of filters; not wrapped. README.md of this folder lists the arrays.
  */
 #ifndef vtkOversketchShadingTools_h
@@ -36,14 +36,14 @@ struct InsidePatch
 // strictly inside.
 InsidePatch InsideOf(vtkPolyData* mesh, bool withRing);
 
-// What InsideOf reads of the mesh, and ReadChain of a patch.
+// Key of what InsideOf reads of the mesh, and ReadChain of a patch.
 MeshKey InsideKey(vtkPolyData* mesh);
 
 // Array DiscCoords of a mesh. Throws Error(MissingArray) without it, Error(BadMesh) naming a vertex of the
 // region whose coordinates are not finite.
 std::vector<Vector2> DiscCoordsOf(vtkPolyData* mesh, const std::vector<char>& labels);
 
-// What tells arrays apart, whatever they belong to; null for an absent one.
+// Key that tells arrays apart, whatever they belong to; null for an absent one.
 MeshKey ArraysKey(const std::vector<vtkDataArray*>& arrays);
 
 // Both sides of an image in samples. Throws Error(BadStroke) for one without samples or of several slices;

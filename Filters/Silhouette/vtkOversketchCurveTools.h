@@ -19,7 +19,7 @@ namespace oversketch
 // vtkOversketchSilhouette documents; NormalDotView is n . d / |d| of the view.
 void WriteCurves(const std::vector<Curve>& curves, const View& view, vtkPolyData* output);
 
-// What ReadCurves finds: curve i is cell i of the polydata.
+// Curves that ReadCurves finds: curve i is cell i of the polydata.
 struct CurveSet
 {
   std::vector<Curve> Curves;

@@ -12,7 +12,7 @@
 
 using namespace oversketch;
 
-// What depends on the mesh alone, held for the next view, and the last result.
+// Work that depends on the mesh alone, held for the next view, and the last result.
 struct vtkOversketchSilhouette::Cache
 {
   std::shared_ptr<const MeshData> Data;

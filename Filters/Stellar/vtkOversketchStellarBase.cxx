@@ -58,7 +58,7 @@ Origins OriginsOfBase(const BaseMesh& base, const Mesh& mesh)
   return origins;
 }
 
-// Of a forest that was made of a simplified mesh: all points and cells where they lie on the original.
+// Places on the original of all points and cells of a forest that was made of a simplified mesh.
 Origins OriginsOnSurface(const Forest& forest,
   const OriginalSurface& surface,
   const std::vector<int>& pointFrom)

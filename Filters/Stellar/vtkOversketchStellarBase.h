@@ -111,7 +111,7 @@ public:
 
   ///@{
   /**
-   * Of the last base that was made: pairs and triangles that stayed alone.
+   * Pairs of the last base that was made, and triangles that stayed alone.
    */
   vtkGetMacro(Pairs, int);
   vtkGetMacro(Unpaired, int);

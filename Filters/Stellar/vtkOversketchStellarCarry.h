@@ -28,7 +28,7 @@ struct Origins
   std::vector<std::pair<int, Binding>> slid, born;
 };
 
-// Of canonical forests with one base, some vertices moved within the surface (`slides`).
+// Origins between canonical forests with one base, some vertices moved within the surface (`slides`).
 Origins originsOf(const Forest& before, const Forest& after, bool slides);
 
 // How far the surface turned at points where it did, of forests that are alike but for positions.

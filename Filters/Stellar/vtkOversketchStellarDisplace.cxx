@@ -123,13 +123,11 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
     cache.ReachKey = StepKey();
   }
   const vtkIdType done = this->DisplaceCount;
-  this->Internals->Step.Provide(step.mesh,
-    { WholeKey(step.curves), sketch ? WholeKey(sketch) : MeshKey() },
+  this->Internals->Step.Provide(step,
+    { sketch ? WholeKey(sketch) : MeshKey() },
     values,
     &curves,
     StellarStep::Motion::Rise,
-    step.output,
-    step.context,
     [&](const Forest& before)
     {
       ++this->DisplaceCount;

@@ -186,10 +186,10 @@ public:
 
   ///@{
   /**
-   * Of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to the
-   * other side of the way they rose), the greatest Feature; triangles that newly meet others elsewhere than
-   * in a common corner, -1 where not counted; points of curves with less room than the height, and the least
-   * share of it that was left.
+   * Figures of the last displacement: vertices that rose, faces that turned over (by over 90 degrees, and to
+   * the other side of the way they rose), the greatest Feature; triangles that newly meet others elsewhere
+   * than in a common corner, -1 where not counted; points of curves with less room than the height, and the
+   * least share of it that was left.
    */
   vtkGetMacro(Moved, int);
   vtkGetMacro(FlippedFaces, int);

@@ -75,13 +75,11 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
     static_cast<double>(this->MaximumGeneration),
     static_cast<double>(this->MaximumFaces) };
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step.mesh,
-    { WholeKey(step.curves), SourceKey(step) },
+  this->Internals->Step.Provide(step,
+    { SourceKey(step) },
     values,
     &curves,
     StellarStep::Motion::None,
-    step.output,
-    step.context,
     [&](const Forest& before)
     {
       ++this->RefineCount;

@@ -146,7 +146,7 @@ public:
 
   ///@{
   /**
-   * Of the last refinement: how many times all triangles were looked at.
+   * Sweeps of the last refinement: how many times all triangles were looked at.
    */
   vtkGetMacro(Sweeps, int);
   ///@}

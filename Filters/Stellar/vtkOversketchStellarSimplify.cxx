@@ -37,20 +37,23 @@ vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
 
 void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-  vtkPolyData* curvesIn = vtkPolyData::GetData(inputs[1]);
-  const bool drawn = curvesIn && curvesIn->GetNumberOfPoints() > 0;
-  const Context context = ContextOf(this);
-  this->Internals->Provide(mesh,
-    { drawn ? WholeKey(curvesIn) : MeshKey() },
+  CurveStep step{ vtkPolyData::GetData(inputs[0]),
+    vtkPolyData::GetData(inputs[1]),
+    vtkPolyData::GetData(outputs),
+    nullptr,
+    ContextOf(this) };
+  if (step.curves && step.curves->GetNumberOfPoints() == 0)
+  {
+    step.curves = nullptr;
+  }
+  this->Internals->Provide(step,
+    {},
     { this->Tolerance,
       this->Radius,
       static_cast<double>(this->Distance),
       static_cast<double>(this->ConnectedOnly) },
     nullptr,
     StellarStep::Motion::None,
-    vtkPolyData::GetData(outputs),
-    context,
     [&](const Forest& before) -> std::optional<Forest>
     {
       ++this->SimplifyCount;
@@ -59,15 +62,16 @@ void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInf
       options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
       options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
       options.connectedOnly = this->ConnectedOnly;
-      const FeatureCurves curves = drawn ? CurvesOf(curvesIn) : FeatureCurves();
-      const std::shared_ptr<const Raised> raised = RaisedOf(mesh);
-      if (drawn && raised && raised->curves == WholeKey(curvesIn) && raised->radius == options.radius &&
-          raised->distance == options.distance && raised->connectedOnly == options.connectedOnly)
+      const FeatureCurves curves = step.curves ? CurvesOf(step.curves) : FeatureCurves();
+      const std::shared_ptr<const Raised> raised = RaisedOf(step.mesh);
+      if (step.curves && raised && raised->curves == WholeKey(step.curves) &&
+          raised->radius == options.radius && raised->distance == options.distance &&
+          raised->connectedOnly == options.connectedOnly)
       {
         const DisplacedFrom from{ *raised->before, *raised->reached };
-        return simplify(before, curves, options, context, &this->Welded, &from);
+        return simplify(before, curves, options, step.context, &this->Welded, &from);
       }
-      return simplify(before, curves, options, context, &this->Welded);
+      return simplify(before, curves, options, step.context, &this->Welded);
     });
 }
 

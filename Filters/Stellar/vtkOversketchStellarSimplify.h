@@ -88,14 +88,13 @@ public:
 
   ///@{
   /**
-   * Of the last simplification: vertices taken away.
+   * Vertices that the last simplification took away.
    */
   vtkGetMacro(Welded, int);
   ///@}
 
   /**
-   * Of the last result: the number that a point of the output has in the input, -1 where there is no such
-   * point.
+   * Number that a point of the last output has in the input, -1 where there is no such point.
    */
   vtkIdType GetInputPoint(vtkIdType point) const;
 

@@ -37,13 +37,11 @@ void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInfor
   }
   const std::vector<double> values{ static_cast<double>(this->Rings), static_cast<double>(this->Iterations) };
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step.mesh,
-    { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
+  this->Internals->Step.Provide(step,
+    { SourceKey(step), PartsKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::Slide,
-    step.output,
-    step.context,
     [&](const Forest& before)
     {
       ++this->SmoothCount;

@@ -73,7 +73,7 @@ public:
 
   ///@{
   /**
-   * Of the last smoothing: moves, and moves refused.
+   * Counts of the last smoothing: moves, and moves refused.
    */
   vtkGetMacro(Moved, int);
   vtkGetMacro(Refused, int);

@@ -44,13 +44,11 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
     values.insert(values.end(), { this->Radius, this->Sharpness, static_cast<double>(this->ConnectedOnly) });
   }
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step.mesh,
-    { WholeKey(step.curves), SourceKey(step), PartsKey(step.mesh) },
+  this->Internals->Step.Provide(step,
+    { SourceKey(step), PartsKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::Slide,
-    step.output,
-    step.context,
     [&](const Forest& before)
     {
       ++this->SnapCount;

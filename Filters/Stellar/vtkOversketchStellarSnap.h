@@ -126,8 +126,8 @@ public:
 
   ///@{
   /**
-   * Of the last snapping: crossings before the first move and after the last, vertices put on a curve, moves
-   * refused, faces added.
+   * Counts of the last snapping: crossings before the first move and after the last, vertices put on a curve,
+   * moves refused, faces added.
    */
   vtkGetMacro(Crossings, int);
   vtkGetMacro(Residual, int);
@@ -138,7 +138,7 @@ public:
 
   ///@{
   /**
-   * Of the last snapping: vertices that went to feet and their rims, or towards them.
+   * Vertices of the last snapping that went to feet and their rims, or towards them.
    */
   vtkGetMacro(FootMoved, int);
   ///@}

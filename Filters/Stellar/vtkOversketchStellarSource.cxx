@@ -128,7 +128,7 @@ vtkSmartPointer<vtkPolyData> CarriedSource(vtkPolyData* mesh)
   return source;
 }
 
-// That of port 2, else what the mesh carries; null for none.
+// Source of port 2, else what the mesh carries; null for none.
 vtkSmartPointer<vtkPolyData> SourceDataOf(const CurveStep& step)
 {
   return KindOf(step.third) == Kind::None ? CarriedSource(step.mesh)
@@ -224,7 +224,8 @@ std::vector<Tuple> IntegersOf(vtkPolyData* source, const char* name)
   return tuples;
 }
 
-// Of the records, with the triangles that they are of, but not of points, which may be moved with the mesh.
+// Digest of the records, with the triangles that they are of, but not of points, which may be moved with the
+// mesh.
 std::uint64_t DigestOf(const OriginalSurface& surface)
 {
   std::uint64_t h = 0xcbf29ce484222325u;

@@ -1,4 +1,4 @@
-// What a base mesh was made of, a height image or a finer surface, as polydata with field arrays, for the
+// Source of a base mesh, a height image or a finer surface, as polydata with field arrays, for the
 // filters of this module. Not installed.
 #ifndef vtkOversketchStellarSource_h
 #define vtkOversketchStellarSource_h
@@ -33,10 +33,10 @@ std::shared_ptr<const Source> WriteSurface(const std::shared_ptr<const OriginalS
 // Error(MissingArray or BadMesh) naming the array that is absent or was changed.
 std::shared_ptr<const Source> SharedSource(vtkPolyData* source);
 
-// What a step reads of its source: that of port 2, or what its mesh carries.
+// Key of a step's source: that of port 2, or what its mesh carries.
 MeshKey SourceKey(const CurveStep& step);
 
-// That source, empty for none; `held` keeps it for who asks next. Where no point of the forest's base
+// Source of a step, empty for none; `held` keeps it for who asks next. Where no point of the forest's base
 // lies on it, one that the mesh carries is none, since the mesh was moved, and another throws Error(BadMesh).
 Source SourceOf(const CurveStep& step, const Forest& forest, std::shared_ptr<const Source>& held);
 

@@ -50,34 +50,32 @@ void StellarStep::Provide(const StepKey& key,
   this->Arrays.Carry(input, output);
 }
 
-void StellarStep::Provide(vtkPolyData* input,
+void StellarStep::Provide(const CurveStep& step,
   const std::vector<MeshKey>& otherInputs,
   const std::vector<double>& values,
   const FeatureCurves* curves,
   Motion motion,
-  vtkPolyData* output,
-  const Context& context,
   const Change& change)
 {
-  std::vector<MeshKey> inputs{ StellarKey(input) };
+  std::vector<MeshKey> inputs{ StellarKey(step.mesh), step.curves ? WholeKey(step.curves) : MeshKey() };
   inputs.insert(inputs.end(), otherInputs.begin(), otherInputs.end());
-  // Of inputs that are as they were, forest and curves are known to fit.
+  // Forest and curves of inputs that are as they were are known to fit.
   const StepKey inputsKey(inputs, {});
   const auto known = this->InputsKey == inputsKey ? this->Before : nullptr;
   const auto last = known ? this->Stem : nullptr;
   this->Provide(StepKey(inputs, values),
-    input,
-    output,
+    step.mesh,
+    step.output,
     [&]
     {
-      this->Before = known ? known : SharedForest(input, context);
+      this->Before = known ? known : SharedForest(step.mesh, step.context);
       Made made;
       made.turns = motion == Motion::Rise;
       made.curvesOf = made.turns ? last : nullptr; // the stroke has ended in both
       const Forest& before = *this->Before;
       if (curves && !known)
       {
-        RequireSameCurves(input, before, *curves);
+        RequireSameCurves(step.mesh, before, *curves);
       }
       this->InputsKey = inputsKey;
       std::optional<Forest> changed = change(before);
@@ -87,7 +85,7 @@ void StellarStep::Provide(vtkPolyData* input,
       made.sameCells = before.faces.size() == made.forest->faces.size();
       if (motion != Motion::Rise) // what rises ends the stroke
       {
-        made.digest = curves ? digest(*curves) : WholeNumber(input->GetFieldData(), "CurveDigest");
+        made.digest = curves ? digest(*curves) : WholeNumber(step.mesh->GetFieldData(), "CurveDigest");
       }
       if (made.digest && !HasSnapped(*made.forest))
       {

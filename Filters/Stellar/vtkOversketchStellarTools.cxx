@@ -290,7 +290,7 @@ bool SharesCells(vtkPolyData* mesh)
   return mesh->GetPolys()->IsStorage64Bit();
 }
 
-// The same of points and their arrays.
+// Whether points and their arrays are shared.
 bool SharesPoints(vtkPolyData* mesh)
 {
   const int types[] = { VTK_UNSIGNED_CHAR, VTK_INT, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE, VTK_DOUBLE };

@@ -30,7 +30,7 @@ namespace oversketch
 // Whether a polydata has an array of a 4-8 mesh's structure, sound or not.
 bool HasStellarArrays(vtkPolyData* mesh);
 
-// What a step reads of a 4-8 mesh.
+// Key of what a step reads of a 4-8 mesh.
 MeshKey StellarKey(vtkPolyData* mesh);
 
 // The forest of a 4-8 mesh. What a step of this module emitted is found as long as somebody holds it, by
@@ -38,8 +38,8 @@ MeshKey StellarKey(vtkPolyData* mesh);
 // that names the array, the cell or point, and the likely culprit. Callable from any thread.
 std::shared_ptr<const Forest> SharedForest(vtkPolyData* mesh, const Context& context);
 
-// What a forest that nobody else holds has, for its holder to change it; empty, and the holder keeps it,
-// where somebody does.
+// Takes what a forest has that nobody else holds, for its holder to change it; empty, and the holder keeps
+// it, where somebody does.
 Forest TakeForest(std::shared_ptr<const Forest>& forest);
 
 // How often a forest has been rebuilt from arrays since the process started.
@@ -57,15 +57,15 @@ vtkSmartPointer<vtkPolyData> StellarPolyData(const std::shared_ptr<const Forest>
 // Whether a vertex lies on a curve of the stroke that has not ended.
 bool HasSnapped(const Forest& forest);
 
-// A step with a 4-8 mesh on port 0 and curves on port 1.
+// A step with a 4-8 mesh on port 0 and curves on port 1, null where there are none.
 struct CurveStep
 {
   vtkPolyData *mesh, *curves, *output;
   vtkPolyData* third; // of port 2; null: none
   Context context;
 };
-// Of a filter; without curves, which are then null, the mesh has gone through, and is refused all the same
-// where it is none.
+// Reads that of a filter; without curves the mesh has gone through, and is refused all the same where it is
+// none.
 CurveStep CurveStepOf(vtkAlgorithm* filter, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 // Throws Error unless the snapped vertices of the mesh, where it has any, are on these curves.
@@ -100,7 +100,7 @@ public:
     vtkPolyData* output,
     const std::function<Made()>& make);
 
-  // What a step from one 4-8 mesh to the next does to vertices that it does not make.
+  // Motion of vertices that a step from one 4-8 mesh to the next does not make.
   enum class Motion
   {
     None,
@@ -109,18 +109,16 @@ public:
   };
   // Gives the canonical forest after the step; none: it is as it was.
   using Change = std::function<std::optional<Forest>(const Forest& before)>;
-  // `values`: the parameters. `curves`: the step's curves, which are to be those that the mesh is snapped to;
-  // null: of no matter.
-  void Provide(vtkPolyData* input,
+  // `otherInputs`: what it reads beside mesh and curves. `values`: the parameters. `curves`: the step's,
+  // which are to be those that the mesh is snapped to; null: of no matter.
+  void Provide(const CurveStep& step,
     const std::vector<MeshKey>& otherInputs,
     const std::vector<double>& values,
     const FeatureCurves* curves,
     Motion motion,
-    vtkPolyData* output,
-    const Context& context,
     const Change& change);
 
-  // Of the last result: a point's number in the input, -1 for a new one.
+  // Number of each point of the last result in the input, -1 for a new one.
   const std::vector<int>& PointFrom() { return this->Arrays.PointFrom(); }
 
   // The forest of the last result; null: nothing is kept.
@@ -139,10 +137,10 @@ private:
 // cell. Throws Error(BadMesh) naming a number that is none.
 std::vector<int> PartsOf(vtkPolyData* mesh, const Forest& forest);
 
-// What PartsOf reads of a mesh beside its 4-8 arrays.
+// Key of what PartsOf reads of a mesh beside its 4-8 arrays.
 MeshKey PartsKey(vtkPolyData* mesh);
 
-// What a displacement knew of its mesh, for the simplification that follows it.
+// Knowledge of a displacement about its mesh, for the simplification that follows it.
 struct Raised
 {
   std::shared_ptr<const Forest> before;

@@ -27,7 +27,7 @@ struct vtkOversketchTerrain::Cache
 namespace
 {
 
-// What became of missing samples; empty where none was.
+// Says what became of missing samples; empty where none was.
 Message judged(const FilledSamples& samples, const Terrain& terrain, std::size_t quads)
 {
   std::vector<Message> said;

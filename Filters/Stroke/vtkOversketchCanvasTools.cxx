@@ -25,7 +25,7 @@ namespace oversketch
 namespace
 {
 
-// What says of a stroke how it was seen.
+// Whether an array says of a stroke how it was seen.
 bool isViewArray(const char* name)
 {
   const char* const names[] = { "ViewTransform", "ProjectionTransform", "ViewportSize", "Moved" };

@@ -47,7 +47,7 @@ OVERSKETCHFILTERSSTROKE_EXPORT std::vector<DrawnLine> ReadStrokes(vtkPolyData* s
 OVERSKETCHFILTERSSTROKE_EXPORT vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell);
 
 /**
- * What tells curves apart: points, polylines, point arrays and the canvas, and the cell arrays that are
+ * Key that tells curves apart: points, polylines, point arrays and the canvas, and the cell arrays that are
  * named.
  */
 OVERSKETCHFILTERSSTROKE_EXPORT MeshKey CurvesKey(vtkPolyData* curves,

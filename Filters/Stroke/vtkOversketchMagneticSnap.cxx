@@ -147,7 +147,7 @@ MeshKey KeyOfScalars(vtkImageData* picture)
   return MeshKey(none, { picture ? picture->GetPointData()->GetScalars() : nullptr });
 }
 
-// What one execution reads.
+// Input of one execution.
 struct Search
 {
   Canvas Rectangle;

@@ -15,8 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 using namespace oversketch;
 
@@ -56,23 +54,6 @@ double parameterAt(const DrawnLine& line, vtkDataArray* parameters, double along
   const std::size_t before = static_cast<std::size_t>(along);
   const double t = along - static_cast<double>(before);
   return t > 0.0 ? (1.0 - t) * at(before) + t * at(before + 1) : at(before);
-}
-
-std::vector<SurfaceCurve> projectLine(const SurfaceRays& surface,
-  vtkPolyData* strokes,
-  const DrawnLine& line,
-  int stroke,
-  const CurveRules& rules,
-  const Context& context)
-{
-  std::vector<SurfaceCurve> runs =
-    projectCurve(surface, ViewOfStroke(strokes, stroke), line.Samples, line.Closed, rules, context);
-  if (runs.empty())
-  {
-    throw Error(Failure::BadStroke,
-      Message::unusable("Stroke", stroke, "nothing of it lies on the mesh; draw it over the model."));
-  }
-  return runs;
 }
 
 void writeParameters(const std::vector<StrokeCurve>& curves,
@@ -138,36 +119,24 @@ void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInform
       const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
       CurveRules rules;
       rules.spacing = this->Spacing;
-      std::vector<StrokeCurve> curves;
-      for (std::size_t i = 0; i < lines.size(); ++i)
-      {
-        const int stroke = static_cast<int>(i);
-        const double share = 0.5 / static_cast<double>(lines.size());
-        const std::vector<SurfaceCurve> runs = projectLine(surface,
-          strokes,
-          lines[i],
-          stroke,
-          rules,
-          ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
-        if (lines[i].Closed)
+      const std::vector<StrokeCurve> curves = ProjectStrokes(this,
+        strokes,
+        lines,
+        "nothing of it lies on the mesh; draw it over the model.",
+        [&](const View& view, const DrawnLine& line, int stroke, const Context& context)
         {
-          for (const SurfaceCurve& run : runs)
+          std::vector<SurfaceCurve> runs =
+            projectCurve(surface, view, line.Samples, line.Closed, rules, context);
+          if (!line.Closed && runs.size() > 1)
           {
-            curves.push_back({ run, stroke });
-          }
-          continue;
-        }
-        curves.push_back(
-          { *std::max_element(runs.begin(),
+            Warn(this,
+              { "{Stroke %1} lies on the mesh in %2 parts; the longest one is taken.", stroke, runs.size() });
+            runs = { *std::max_element(runs.begin(),
               runs.end(),
-              [](const SurfaceCurve& a, const SurfaceCurve& b) { return lengthOf(a) < lengthOf(b); }),
-            stroke });
-        if (runs.size() > 1)
-        {
-          Warn(this,
-            { "{Stroke %1} lies on the mesh in %2 parts; the longest one is taken.", stroke, runs.size() });
-        }
-      }
+              [](const SurfaceCurve& a, const SurfaceCurve& b) { return lengthOf(a) < lengthOf(b); }) };
+          }
+          return runs;
+        });
       WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
       writeParameters(curves, lines, parameters, result);
       result->GetFieldData()->PassData(strokes->GetFieldData());

@@ -29,7 +29,7 @@ namespace
 
 constexpr double nearness = 0.02; // r_o of the specification, of the canvas's longest side
 
-// What a stroke is, and what it counts as without the array.
+// Array that says what a stroke is, and its value where there is none.
 struct StrokeArray
 {
   const char* Name;
@@ -45,7 +45,7 @@ double otherwise(const char* name)
   return found == std::end(strokeArrays) ? 0.0 : found->Otherwise;
 }
 
-// The same array of another polydata, of the same size of tuples.
+// Array of the same name of another polydata, of the same size of tuples.
 vtkDataArray* counterpart(vtkDataArray* array, vtkDataSetAttributes* other)
 {
   vtkDataArray* found = array->GetName() ? other->GetArray(array->GetName()) : nullptr;

@@ -71,7 +71,7 @@ public:
 
   ///@{
   /**
-   * What replaces the part between the transitions: the stroke's own samples (ArcLength), or, as published,
+   * Replacement of the part between the transitions: the stroke's own samples (ArcLength), or, as published,
    * of each sample of the curve the nearest place of the stroke (Closest), which loses bulges. Default
    * ArcLength.
    */

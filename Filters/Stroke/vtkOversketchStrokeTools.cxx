@@ -28,10 +28,10 @@ namespace oversketch
 namespace
 {
 
-// What a stroke may say of the feature that it draws.
+// Arrays in which a stroke may tell of the feature that it draws.
 const char* const profileArrays[] = { "Radius", "Height", "Sharpness" };
 
-// What a curve takes over from the stroke's cell.
+// Arrays that a curve takes over from the stroke's cell.
 std::vector<vtkDataArray*> passedArrays(vtkPolyData* strokes)
 {
   std::vector<vtkDataArray*> arrays = ViewArraysOf(strokes);
@@ -321,6 +321,33 @@ void WriteSurfaceCurves(const std::vector<StrokeCurve>& curves,
   {
     data->AddArray(to.pressure);
   }
+}
+
+std::vector<StrokeCurve> ProjectStrokes(vtkAlgorithm* filter,
+  vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  const char* missed,
+  const Projection& project)
+{
+  std::vector<StrokeCurve> curves;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    const int stroke = static_cast<int>(i);
+    const double share = 0.5 / static_cast<double>(lines.size());
+    const std::vector<SurfaceCurve> made = project(ViewOfStroke(strokes, stroke),
+      lines[i],
+      stroke,
+      ContextOf(filter, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
+    if (made.empty())
+    {
+      throw Error(Failure::BadStroke, Message::unusable("Stroke", stroke, missed));
+    }
+    for (const SurfaceCurve& curve : made)
+    {
+      curves.push_back({ curve, stroke });
+    }
+  }
+  return curves;
 }
 
 const SurfaceRays& KeptSurface::Provide(vtkPolyData* mesh, const Context& context)

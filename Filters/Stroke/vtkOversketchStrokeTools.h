@@ -12,9 +12,11 @@
 
 #include "vtkType.h"
 
+#include <functional>
 #include <memory>
 #include <vector>
 
+class vtkAlgorithm;
 class vtkPolyData;
 
 namespace oversketch
@@ -56,6 +58,16 @@ struct StrokeCurve
   int Stroke;
 };
 
+// Curves of all strokes, by what `project` makes of one: the second half of a filter's progress. Throws
+// Error(BadStroke) with `missed` for a stroke that no curve comes of.
+using Projection = std::function<
+  std::vector<SurfaceCurve>(const View& view, const DrawnLine& line, int stroke, const Context& context)>;
+std::vector<StrokeCurve> ProjectStrokes(vtkAlgorithm* filter,
+  vtkPolyData* strokes,
+  const std::vector<DrawnLine>& lines,
+  const char* missed,
+  const Projection& project);
+
 // A mesh and its ray scene, held for the next stroke.
 class KeptSurface
 {
@@ -64,8 +76,8 @@ public:
   const SurfaceRays& Provide(vtkPolyData* mesh, const Context& context);
   const MeshData& Mesh() const { return *this->Data; }
   const SurfaceRays& Scene() const { return *this->Rays; } // of the last Provide
-  // Of some vertices what Mesh().Normals() has, bit for bit: where the mesh brings none along, neither the
-  // others' nor the adjacency are made for it.
+  // Normals of some vertices as Mesh().Normals() has them, bit for bit: where the mesh brings none along,
+  // neither the others' nor the adjacency are made for it.
   std::vector<Vector3> NormalsOf(const std::vector<int>& vertices) const;
   vtkIdType Builds() const { return this->BuildCount; }
 

@@ -10,7 +10,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 
@@ -80,28 +79,12 @@ void vtkOversketchSurfaceStroke::Execute(vtkInformationVector** inputs, vtkInfor
       RefuseEndless(lines);
       const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
       const double tolerance = this->Tolerance < 0.0 ? 6e-4 * surface.diagonal() : this->Tolerance;
-      std::vector<StrokeCurve> curves;
-      for (std::size_t i = 0; i < lines.size(); ++i)
-      {
-        const int stroke = static_cast<int>(i);
-        const double share = 0.5 / static_cast<double>(lines.size());
-        const std::vector<SurfaceCurve> pieces = projectStroke(surface,
-          ViewOfStroke(strokes, stroke),
-          lines[i].Samples,
-          lines[i].Closed,
-          tolerance,
-          ContextOf(this, 0.5 + share * stroke, 0.5 + share * (stroke + 1)));
-        if (pieces.empty())
-        {
-          throw Error(Failure::BadStroke,
-            Message::unusable(
-              "Stroke", stroke, "no two samples in succession lie on the mesh; draw it over the model."));
-        }
-        for (const SurfaceCurve& piece : pieces)
-        {
-          curves.push_back({ piece, stroke });
-        }
-      }
+      const std::vector<StrokeCurve> curves = ProjectStrokes(this,
+        strokes,
+        lines,
+        "no two samples in succession lie on the mesh; draw it over the model.",
+        [&](const View& view, const DrawnLine& line, int, const Context& context)
+        { return projectStroke(surface, view, line.Samples, line.Closed, tolerance, context); });
       WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
     });
 }

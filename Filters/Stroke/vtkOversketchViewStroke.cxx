@@ -59,7 +59,7 @@ Eigen::Matrix4d Projection(bool parallel, double scale, double angle, double asp
   return m;
 }
 
-// The same for each cell.
+// Array with one value for each cell.
 template <typename Array, typename Value>
 void AddCellArray(vtkPolyData* to, const char* name, const std::vector<Value>& values)
 {

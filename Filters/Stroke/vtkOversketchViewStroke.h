@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * What it looks at [world, default (0, 0, 0)].
+   * Point that it looks at [world, default (0, 0, 0)].
    */
   vtkSetVector3Macro(CameraFocalPoint, double);
   vtkGetVector3Macro(CameraFocalPoint, double);

@@ -23,10 +23,11 @@ class Weld;
 class OVERSKETCHFILTERSSYSTEMS_EXPORT Followers
 {
 public:
-  // Of an output that Weld::Move made of a deformation.
+  // Follows an output that Weld::Move made of a deformation.
   Followers(vtkPolyData* output, const Weld& welding, vtkPolyData* deformed);
-  // Of an output whose points are the given vertices of restored, a mesh that was remeshed from a deformation
-  // (vtkOversketchRemesh: SourceCell, SourceWeights): each stays where it lies in its triangle of that.
+  // Follows an output whose points are the given vertices of restored, a mesh that was remeshed from a
+  // deformation (vtkOversketchRemesh: SourceCell, SourceWeights): each stays where it lies in its triangle of
+  // that.
   Followers(vtkPolyData* output, std::vector<int> vertices, vtkPolyData* deformed, vtkPolyData* restored);
 
   bool Fits(vtkPoints* points) const;

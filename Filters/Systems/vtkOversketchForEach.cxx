@@ -58,7 +58,7 @@ std::vector<Leaf> ListOf(vtkDataObjectTree* tree)
   return leaves;
 }
 
-// What one of the filter's further ports gets: the same for all models, or a leaf for each of them.
+// Data that one of the filter's further ports gets: the same for all models, or a leaf for each of them.
 struct Given
 {
   int port;

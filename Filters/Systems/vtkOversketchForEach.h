@@ -96,7 +96,7 @@ private:
   vtkOversketchForEach(const vtkOversketchForEach&) = delete;
   void operator=(const vtkOversketchForEach&) = delete;
 
-  // What is the same for all models, the same on every rank; null where no rank has it.
+  // Sends every rank what is the same for all models; null where no rank has it.
   vtkSmartPointer<vtkDataObject> Broadcast(vtkDataObject* single);
 
   vtkSmartPointer<vtkAlgorithm> Filter;

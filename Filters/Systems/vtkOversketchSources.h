@@ -32,7 +32,7 @@ class OVERSKETCHFILTERSSYSTEMS_EXPORT Sources
 {
 public:
   explicit Sources(vtkPolyData* changed);
-  // Of a triangle's corner: the triangle it lies on, and the weights of that one's corners.
+  // Triangle that a triangle's corner lies on, and the weights of that one's corners.
   vtkIdType Cell(vtkIdType triangle, int corner) const
   {
     return triangle < this->UnchangedCount

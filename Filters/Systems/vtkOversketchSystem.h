@@ -1,6 +1,6 @@
 /**
  * @class vtkOversketchSystem
- * @brief what every system of a paper is: named steps, run one after the other, and what hosts ask of it
+ * @brief base of every paper's system: named steps, run one after the other, and what hosts ask of it
  *
  * A system is one filter over many: it owns its steps, connects them, runs them by name and makes its output
  * of what they made. This base knows no step. It runs them, hears their errors and warnings, adds up their
@@ -52,8 +52,8 @@ public:
   virtual bool Prepare() { return false; }
 
   /**
-   * What a stroke would take hold of, for a pen that is still down: on a mesh and a stroke of its own, a
-   * polyline on the mesh. What it makes of mesh and view is kept, also for the next Update; a stroke of one
+   * Finds what a stroke would take hold of, for a pen that is still down: on a mesh and a stroke of its own,
+   * a polyline on the mesh. What it makes of mesh and view is kept, also for the next Update; a stroke of one
    * sample makes that alone. The output and the inputs stay as they are. False, and `hold` empty, where there
    * is nothing to take hold of or the call was stopped; the error code tells why.
    */
@@ -61,33 +61,36 @@ public:
 
   ///@{
   /**
-   * What the last run took hold of, a polyline on the mesh that came in, and the triangles that it moved,
-   * where they are now, as a mesh of its own without arrays. Empty after a run that failed, or where the
-   * system has none.
+   * Give what the last run took hold of, a polyline on the mesh that came in, and the triangles that it
+   * moved, where they are now, as a mesh of its own without arrays. Empty after a run that failed, or where
+   * the system has none.
    */
   virtual void GetHold(vtkPolyData* hold);
   virtual void GetRegion(vtkPolyData* region);
   ///@}
 
   /**
-   * What is to be said of the last result because it is not as drawn, in words and figures; empty where there
+   * Remark on the last result because it is not as drawn, in words and figures; empty where there
    * is nothing to say and after a run that failed. A warning said the same during the run.
    * RemarkMessage has it as data.
    */
   const char* GetRemark() { return this->RemarkText.c_str(); }
   const oversketch::Message& RemarkMessage() const { return this->Remark; }
 
-  ///@{
   /**
-   * What the system counted and measured of its last run, by names with dots where several belong together
-   * ("match.points"): a switch, a count, a number (NaN where there is none), or a list of words. Empty after
-   * a run that failed. GetFigure gives one of them as a number, NaN where it is none or absent.
+   * Figures that the system counted and measured of its last run, by names with dots where several belong
+   * together ("match.points"): a switch, a count, a number (NaN where there is none), or a list of words.
+   * Empty after a run that failed.
    */
   using Figure = std::variant<bool, vtkIdType, double, std::vector<std::string>>;
   using FigureList = std::vector<std::pair<std::string, Figure>>;
   virtual FigureList Figures() { return {}; }
+
+  /**
+   * Gives one figure of the last run as a number, by its name ("match.points"); NaN where it is no number or
+   * absent, as after a run that failed.
+   */
   double GetFigure(const char* name);
-  ///@}
 
   /**
    * The output for a stroke moved by one vector [world], a preview: writes places into `points`, which are a
@@ -156,8 +159,8 @@ protected:
   int RunSystem(const std::function<void()>& body);
   // Says of what the run makes that it is not as drawn, and tells it as a warning; an empty one says nothing.
   void SetRemark(const oversketch::Message& remark);
-  // The same outside a run: without an error event. Returns whether body returned true; where it threw, the
-  // error code tells why.
+  // Runs a body outside a run: without an error event. Returns whether body returned true; where it threw,
+  // the error code tells why.
   bool Try(const std::function<bool()>& body);
   // Says that the run goes through the steps so often; each time then counts for its part of the progress.
   void SetPasses(std::size_t passes) { this->Passes = passes; }
@@ -165,7 +168,7 @@ protected:
   void RunStage(const char* name, const std::function<void()>& work = nullptr);
   // The output of a step by its own name.
   vtkPolyData* StageOutput(const char* name);
-  // What an input port is given, brought up to date outside a run; null where that is nothing.
+  // Data that an input port is given, brought up to date outside a run; null where that is nothing.
   vtkDataObject* UpdatedInput(int port);
   // The triangles of a mesh that have so many chosen corners at least, as GetRegion gives them.
   static void PutTriangles(vtkPolyData* mesh,

@@ -276,7 +276,8 @@ private:
     }
   }
 
-  // Of the points from begin on, which are the vertex's, the one that comes from where the corner does.
+  // Finds, of the vertex's points, which are those from begin on, the one that comes from where the corner
+  // does.
   std::size_t PointOf(std::size_t begin, int vertex, const Origins& origins, int triangle, int corner)
   {
     Mix mix;

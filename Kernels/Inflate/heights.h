@@ -17,7 +17,7 @@ enum class Inflation
   Ratio    // by the solution of an equation: GridSmoothing's profileRatio or poissonRatio
 };
 
-// What heights are read from; the maps and values are kept by reference.
+// Maps that heights are read from, and values, kept by reference.
 struct HeightMaps
 {
   const DistanceMaps& distance;        // T
@@ -32,12 +32,12 @@ std::vector<float> sectionSquares(const DistanceMaps& maps,
   const CrossSection& section,
   const Context& context);
 
-// The same of the circle: what the greatest of all balls has above each sample that lie inside, a ball at
-// each sample, as large as its T; and at least d (2 D - d). Balls do not stop where the nearest place on the
+// q of the circle: that of the greatest of all balls above each sample that lie inside, a ball at each
+// sample, as large as its T; and at least d (2 D - d). Balls do not stop where the nearest place on the
 // ridge is another one, and what a hand's tremor adds to the ridge lies inside larger ones.
 std::vector<float> roundSquares(const DistanceMaps& maps, const Context& context);
 
-// Of samples the radius [px] of the circle that stands upright on the rim and has the height there: with q
+// Radius at each sample [px] of the circle that stands upright on the rim and has the height there: with q
 // its square, (q / T + T) / 2; 0 where T is.
 std::vector<float> roundThickness(const DistanceMaps& maps, const std::vector<float>& ratio);
 
@@ -68,7 +68,7 @@ private:
   const HeightMaps& Maps;
 };
 
-// Of each point the object of its faces, the last one's; -1 without faces.
+// Object of each point's faces, the last one's; -1 without faces.
 std::vector<int> objectsOf(const PlanarMesh& mesh);
 
 // Heights [world] of the mesh's points. Source: image-assisted modelling, section 12:

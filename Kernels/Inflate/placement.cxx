@@ -19,7 +19,7 @@ Placement::Placement(const Eigen::Matrix4d& matrix)
     throw Error(Failure::BadMesh,
       "A part's placement must be an affine matrix: 16 finite numbers row by row, the last ones 0 0 0 1.");
   }
-  // Of columns of length 1, so that a small part is not taken for a flat one.
+  // Determinant of columns of length 1, so that a small part is not taken for a flat one.
   const Vector3 lengths = this->Linear.colwise().norm();
   const double determinant = this->Linear.determinant() / lengths.prod();
   if (!(std::abs(determinant) > 1e-9))

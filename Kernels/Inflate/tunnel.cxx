@@ -15,7 +15,7 @@ namespace
 
 using Edge = std::pair<int, int>;
 
-// What the removal opens, of both sides.
+// Edges that the removal opens, of both sides.
 std::vector<BorderEdge> openedBy(const Solid& before, const Solid& after)
 {
   const int count = static_cast<int>(before.points.size());
@@ -35,7 +35,7 @@ std::vector<BorderEdge> openedBy(const Solid& before, const Solid& after)
   return opened;
 }
 
-// Of each point of the front that of the back over the same point of the drawing's mesh.
+// Points of the back, one for each of the front, over the same point of the drawing's mesh.
 std::vector<int> twinsOf(const Solid& solid)
 {
   int planar = -1;

@@ -10,7 +10,7 @@
 namespace oversketch
 {
 
-// Of each region: 1 where its stroke is a tunnel, or that of a region round it.
+// Regions, each with 1 where its stroke is a tunnel, or that of a region round it.
 std::vector<char> regionsInTunnels(const Classification& classification,
   const std::vector<Treatment>& treatments);
 

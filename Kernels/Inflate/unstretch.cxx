@@ -20,7 +20,7 @@ constexpr double firstShare = 0.96; // of the way there: farther out, its edges 
 // Rows of triangles need not be evened where edges are so short, as a share of the thickness, that the rim is
 // smooth as it is; ten rows and fewer are evened in full.
 constexpr double fine = 1.0 / 40.0, coarse = 1.0 / 10.0;
-// What the least angles of the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
+// Least angles that the plane's triangles are to keep [rad]: the twentieth part of them, and the half.
 constexpr double fewest = 0.182, middle = 0.61;
 constexpr double narrower = 0.88; // of what they are, where they do not reach that as it is
 constexpr int steps = 10;         // of how far points are moved
@@ -42,7 +42,7 @@ void eachEdge(const PlanarMesh& mesh, const Use& use)
   }
 }
 
-// Of each point the mean length of the edges about it, smooth along the mesh [world].
+// Mean length of the edges about each point, smooth along the mesh [world].
 std::vector<double> lengthsOf(const PlanarMesh& mesh)
 {
   std::vector<double> sums(mesh.points.size(), 0.0), lengths;
@@ -166,8 +166,7 @@ struct Angles
   double low, half;
 };
 
-// Of the least angles of the faces, with points moved so far, the one that a twentieth is under, and the
-// half.
+// Percentiles of the faces' least angles, with points moved so far: what a twentieth is under, and half.
 Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const Context& context)
 {
   std::vector<double> least(mesh.faces.size());
@@ -183,7 +182,7 @@ Angles anglesOf(const PlanarMesh& mesh, const std::vector<Vector2>& moves, const
       least[f] = halfPi;
       for (int k = 0; k < face.count(); ++k)
       {
-        // Of a quad those that its diagonals cut off.
+        // Angles of a quad that its diagonals cut off.
         const Vector2 a = at(k);
         least[f] = std::min(least[f], turnAngle(at(k + 1) - a, at(k + 2) - a));
       }

@@ -24,7 +24,7 @@ using FacePair = std::array<int, 2>;
 // they meet in more than that; others where they touch at all, be it in a point or lying in one plane. Faces
 // without area and such with points that are not finite are in no pair.
 //
-// The same pairs for any number of threads. 30,000 triangles take some 30 ms on one thread. Throws
+// Pairs are the same for any number of threads. 30,000 triangles take some 30 ms on one thread. Throws
 // Error(Cancelled).
 std::vector<FacePair> crossingFaces(const Mesh& mesh,
   const std::vector<char>& changed,

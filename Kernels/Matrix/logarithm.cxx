@@ -75,8 +75,8 @@ std::pair<Eigen::Matrix3d, Eigen::Matrix3d> wayOf(const Eigen::Matrix3d& linear)
   return { grown.topLeftCorner<3, 3>(), grown.topRightCorner<3, 3>() };
 }
 
-// Of linear part and shift one after the other, which gives zeros where zeros belong, and a shift itself:
-// that of [A a] is [log A, V^-1 a], with V = the integral of exp(s log A) over s in [0, 1].
+// Logarithms of linear part and shift one after the other, which gives zeros where zeros belong, and a shift
+// itself: that of [A a] is [log A, V^-1 a], with V = the integral of exp(s log A) over s in [0, 1].
 Matrix4 affineLogarithm(const Matrix4& matrix)
 {
   Matrix4 result = Matrix4::Zero();

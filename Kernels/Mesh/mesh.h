@@ -59,7 +59,8 @@ struct Lists
   };
   Range operator[](int i) const { return { this->begin(i), this->end(i) }; }
 
-  // So many lists: each(visit) calls visit(list, value) for the values in their order, and does so twice.
+  // Makes so many lists: each(visit) calls visit(list, value) for the values in their order, and does so
+  // twice.
   template <typename Each>
   static Lists gathered(std::size_t count, const Each& each)
   {

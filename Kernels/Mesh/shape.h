@@ -1,4 +1,4 @@
-// What triangles cover, and how narrow they are.
+// Areas of triangles, and how narrow they are.
 #ifndef oversketch_kernels_mesh_shape_h
 #define oversketch_kernels_mesh_shape_h
 
@@ -22,7 +22,7 @@ inline double turnAngle(const Vector2& a, const Vector2& b)
   return std::atan2(cross(a, b), a.dot(b));
 }
 
-// What the counter-clockwise triangle a, b, c covers; negative for a clockwise one.
+// Area of the counter-clockwise triangle a, b, c; negative for a clockwise one.
 inline double signedArea(const Vector2& a, const Vector2& b, const Vector2& c)
 {
   return 0.5 * cross(b - a, c - a);

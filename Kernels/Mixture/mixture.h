@@ -78,7 +78,7 @@ MixtureFit fitMixture(const std::vector<double>& samples,
   const Context& context = {});
 
 // `maximum` ascending indices below `population`, without replacement, all where there are no more than that.
-// The same for the same seed on every platform.
+// Draws the same for the same seed on every platform.
 std::vector<int> drawWithoutReplacement(int population, int maximum, int seed);
 
 // At most `maximum` of the items 0 .. weights.size() - 1 at equal steps of their weights, ascending: as many

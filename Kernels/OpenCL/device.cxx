@@ -1,7 +1,5 @@
 #include "OpenCL/device.h"
 
-#include "OpenCL/program_cache.h"
-
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
@@ -109,9 +107,8 @@ cl::Program Device::program(const std::string& name, const std::string& source, 
   cl::Program program;
   try
   {
-    bool compiled = false;
-    program = buildProgram(this->Context, this->ClDevice, source, this->Options + ' ' + options, compiled);
-    this->Compilations += compiled ? 1 : 0;
+    program = cl::Program(this->Context, source);
+    program.build({ this->ClDevice }, (this->Options + ' ' + options).c_str());
   }
   catch (const cl::BuildError& error)
   {

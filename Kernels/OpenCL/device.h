@@ -11,7 +11,6 @@
 #define CL_HPP_ENABLE_EXCEPTIONS
 #include <CL/opencl.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
@@ -52,9 +51,8 @@ public:
 
   // The program built from OpenCL C 1.2 source, once per process and pair of name and options. The source is
   // what oversketch_embed_cl() made of a .cl file; options are of the kind "-D NAME=value". Correctly rounded
-  // divisions and roots are asked for where the device has them; unsafe mathematics never is. What an earlier
-  // process compiled is loaded instead (OpenCL/program_cache.h). Thread-safe. Throws Error(NoDevice) with the
-  // compiler's log.
+  // divisions and roots are asked for where the device has them; unsafe mathematics never is. Keeping them
+  // for the next process is left to the driver. Thread-safe. Throws Error(NoDevice) with the compiler's log.
   cl::Program program(const std::string& name, const std::string& source, const std::string& options = "");
 
   // The largest work-group, `most` at most, that this device runs the kernel with: registers bound it beside
@@ -64,9 +62,6 @@ public:
     std::size_t most,
     std::size_t each = 0,
     std::size_t beside = 0) const;
-
-  // How many programs were compiled from source: 0 while the cache has them all.
-  int compilations() const { return this->Compilations; }
 
   // Runs body and turns a cl::Error into Error(Failure::NoDevice), so that the caller can go on with the
   // host.
@@ -94,7 +89,6 @@ private:
   DeviceInfo Info;
   std::string Options;
   std::mutex Mutex;
-  std::atomic<int> Compilations = 0;
   std::map<std::string, cl::Program> Programs;
 };
 

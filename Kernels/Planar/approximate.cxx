@@ -18,7 +18,7 @@ namespace
 constexpr double endRoom = 0.03;  // of a rim's piece, that a free end is off it
 constexpr double endPiece = 0.02; // of L, of pieces that may be as short
 
-// Of each sample, D [world]: the greatest of the 3 x 3 round it, then the median of nine along the stroke.
+// D of each sample [world]: the greatest of the 3 x 3 round it, then the median of nine along the stroke.
 std::vector<double> thicknessAlong(const DrawnStroke& stroke, const DistanceMaps& maps)
 {
   const Frame& frame = maps.frame;

@@ -63,7 +63,7 @@ std::vector<StrokePolyline> approximate(const std::vector<DrawnStroke>& strokes,
   const ApproximationRules& rules,
   const Context& context);
 
-// The same of one stroke alone with a fixed delta of 0.05 L, L in the stroke's own units; it may be of any
+// Approximates one stroke alone with a fixed delta of 0.05 L, L in the stroke's own units; it may be of any
 // kind. Seeds of the livewire, section 3, step 2.
 std::vector<int> approximateAlone(const Polyline& stroke, bool closed, double longest);
 

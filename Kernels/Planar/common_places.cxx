@@ -198,7 +198,7 @@ private:
     onto(t, s.to, toB);
   }
 
-  // The same whichever comes first and wherever they come from.
+  // Finds the same whichever comes first and wherever they come from.
   int crossing(const Segment& s, const Segment& t)
   {
     const auto ascending = [&](const Segment& which)

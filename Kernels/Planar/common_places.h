@@ -11,7 +11,7 @@
 namespace oversketch
 {
 
-// Of a stroke's length: how far its ends go on or are cut off, at most.
+// Share of a stroke's length: how far its ends go on or are cut off, at most.
 constexpr double arrangeShare = 0.25;
 
 struct CommonPlaces

@@ -58,7 +58,7 @@ private:
   std::vector<DelaunayFace> Faces;
   std::vector<int> FaceOf; // of each point, one at it
   const std::vector<Constraint>* Constraints = nullptr;
-  // Of an insertion.
+  // Edge that an insertion looks at.
   struct Edge
   {
     int from, to, outside;
@@ -367,7 +367,7 @@ std::vector<std::array<int, 2>> Triangulation::crossed(int number, const Constra
   const int u = constraint.from, v = constraint.to;
   const auto throughPoint = [&](int point)
   {
-    // Of a stroke that ends or bends there, if one does.
+    // Stroke that ends or bends there, if one does.
     const auto owner = std::find_if(this->Constraints->begin(),
       this->Constraints->end(),
       [&](const Constraint& c) { return c.from == point || c.to == point; });
@@ -412,7 +412,7 @@ std::vector<std::array<int, 2>> Triangulation::crossed(int number, const Constra
     {
       throughPoint(point);
     }
-    // Of the triangle beyond, the edge between the new point and the one on the other side.
+    // Goes on with the edge of the triangle beyond, between the new point and the one on the other side.
     side = { next, turned > 0 ? (far + 1) % 3 : (far + 2) % 3 };
   }
   return edges;

@@ -32,14 +32,14 @@ struct FaceEdges
 // ways, an edge of a stroke that no face has or that is there twice, a border edge that lies on no stroke.
 FaceEdges faceEdges(const PlanarMesh& mesh);
 
-// Of each point the faces there, ascending.
+// Faces at each point, ascending.
 Lists facesAtPoints(const PlanarMesh& mesh);
 
 // Throws as faceEdges does where a point is not finite.
 void requireFinite(const PlanarMesh& mesh);
 
-// What faceEdges finds in `divided`, whose points and faces are numbered as subdivide.h says, but for the
-// faces at its points: nothing is looked for, so it takes a small part of the time. `links` are those of
+// Finds what faceEdges does in `divided`, whose points and faces are numbered as subdivide.h says, but for
+// the faces at its points: nothing is looked for, so it takes a small part of the time. `links` are those of
 // `whole`.
 FaceEdges dividedEdges(const PlanarMesh& whole, const FaceEdges& links, const PlanarMesh& divided);
 

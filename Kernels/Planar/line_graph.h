@@ -21,7 +21,7 @@ struct PlacePath
   double length(const std::vector<GridPlace>& places) const;
 };
 
-// Of lines that meet in common places alone. An edge that several lines have is one.
+// Graph of lines that meet in common places alone. An edge that several lines have is one.
 class LineGraph
 {
 public:

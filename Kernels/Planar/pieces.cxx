@@ -224,7 +224,7 @@ int PieceList::middle(const Piece& piece) const
   return best;
 }
 
-// Of the samples between its ends the one farthest from the segment; the first of several.
+// Sample between its ends that is farthest from the segment; the first of several.
 PieceList::Farthest PieceList::farthest(const Piece& piece) const
 {
   Farthest result;

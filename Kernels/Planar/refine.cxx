@@ -115,7 +115,7 @@ bool hasQuad(const PlanarMesh& mesh)
     mesh.faces.begin(), mesh.faces.end(), [](const PlanarFace& face) { return face.count() == 4; });
 }
 
-// What the points on each stroke are; those of a stroke that has none of its own, between two rims, lie on a
+// Kinds of the points on each stroke; those of a stroke that has none of its own, between two rims, lie on a
 // feature.
 std::vector<BoundaryKind> kindsOf(const PlanarMesh& mesh, std::size_t strokes)
 {
@@ -130,7 +130,7 @@ std::vector<BoundaryKind> kindsOf(const PlanarMesh& mesh, std::size_t strokes)
   return kinds;
 }
 
-// Of strokes: number, from, to.
+// Parts of strokes: number, from, to.
 using Parts = std::set<std::tuple<int, double, double>>;
 
 std::vector<StrokeSplit> splitsOf(const Parts& parts)

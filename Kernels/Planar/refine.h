@@ -12,7 +12,7 @@ namespace oversketch
 struct PlanarRefineOptions
 {
   int levels = 3; // 0 to 10
-  // Of the snap of a feature's points that their neighbours get; 0 to 1.
+  // Share of the snap of a feature's points that their neighbours get; 0 to 1.
   double snapShare = 0.3;
   // Nothing inverted leaves; off, as published, it is counted.
   bool guard = true;

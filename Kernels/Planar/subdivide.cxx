@@ -15,7 +15,7 @@ namespace
 
 constexpr double fullTurn = 6.283185307179586;
 
-// What the steps of a level read.
+// Input of the steps of a level.
 struct Level
 {
   const PlanarMesh& mesh;
@@ -312,7 +312,7 @@ SubdividedMesh subdivide(const PlanarMesh& mesh,
   {
     return made; // of rims no mask has moved a point
   }
-  // Of features' points, how far the strokes have them from where the masks would.
+  // Ways of features' points, from where the masks would have them to where the strokes do.
   Polyline snaps;
   std::vector<char> snapped;
   for (int p = 0; p < count; ++p)

@@ -16,7 +16,7 @@ public:
   explicit StrokeByLength(const DrawnStroke& stroke);
   bool closed() const { return this->Stroke.closed; }
   double length() const { return this->Lengths.empty() ? 0.0 : this->Lengths.back(); }
-  // Of a closed one modulo the whole length, in [0, length).
+  // Length on a closed one modulo the whole length, in [0, length).
   double wrapped(double length) const;
   Vector2 at(double length) const;
   // How far samples of the part from `start` to `end` lie from the segment that stands for it, at most.
@@ -33,7 +33,7 @@ struct SubdivisionRule
 {
   bool quads = false; // Catmull-Clark's, else Loop's, of triangles alone
   double share = 0.3; // of the snap of a feature's points that their free neighbours get
-  // Of each stroke: what its points are.
+  // Kind of each stroke's points.
   std::vector<BoundaryKind> kinds;
 };
 

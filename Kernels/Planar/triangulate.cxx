@@ -33,7 +33,7 @@ BoundaryKind kindOf(const StrokeLine& line, const std::set<int>& holes)
                                                          : BoundaryKind::Feature;
 }
 
-// Of two lines through one point, whose it is.
+// Decides which of two lines a point on both belongs to.
 bool ownsBefore(BoundaryKind a, BoundaryKind b)
 {
   const auto rank = [](BoundaryKind kind)
@@ -122,14 +122,14 @@ Sketch sketchOf(const std::vector<StrokeLine>& lines, const std::vector<Vector2>
     place[1]);
 }
 
-// Of each face its region; -1 outside.
+// Region of each face; -1 outside.
 std::vector<int> regionsOf(const std::vector<DelaunayFace>& faces,
   const Sketch& sketch,
   const std::vector<StrokeLine>& lines)
 {
   constexpr int unknown = -2;
   std::vector<int> regions(faces.size(), unknown), pending;
-  // What lies beyond an edge of a face, or of the hull, seen from a region.
+  // Finds what lies beyond an edge of a face, or of the hull, seen from a region.
   const auto beyond = [&](int constraint, int region)
   {
     const StrokeLine& line = lines[sketch.lineOf[constraint]];
@@ -222,7 +222,7 @@ void divideRegions(const std::vector<DelaunayFace>& faces, std::vector<int>& reg
   }
 }
 
-// Of each region: the object, -1 where the region is a hole.
+// Object of each region, -1 where the region is a hole.
 std::map<int, int> objectsOf(const std::vector<StrokeLine>& lines)
 {
   std::map<int, int> objects;

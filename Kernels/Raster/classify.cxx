@@ -19,7 +19,7 @@ constexpr double smallestArea = 9.0; // px squared
 // Connected areas of a raster without lines.
 struct Blobs
 {
-  // Of each sample: the area it is in, 4-connected, numbered by their first samples, so that 0 is the one at
+  // Area that each sample is in, 4-connected, numbered by their first samples, so that 0 is the one at
   // the raster's border; -1 on a line.
   std::vector<int> labels;
   std::vector<int> sizes; // samples of each area

@@ -1,4 +1,4 @@
-// What each stroke of a drawing is: an object's boundary, a closed or an open feature, or none of these.
+// Classes of a drawing's strokes: an object's boundary, a closed or an open feature, or none of these.
 #ifndef oversketch_kernels_raster_classify_h
 #define oversketch_kernels_raster_classify_h
 
@@ -49,7 +49,7 @@ struct StrokeClass
   std::vector<Contact> contacts;
 };
 
-// What a closed stroke that is not rejected bounds, numbered in the strokes' order.
+// Area that a closed stroke bounds which is not rejected, numbered in the strokes' order.
 struct Region
 {
   int stroke = -1; // that bounds it
@@ -65,7 +65,7 @@ struct Classification
   std::vector<StrokeClass> strokes;
   std::vector<Region> regions;
   int objects = 0;
-  // Of each sample: its background area (0: outside everything), -1 - i on stroke i, the last of several.
+  // Each sample's background area (0: outside everything), -1 - i on stroke i, the last of several.
   std::vector<int> labels;
   int blobs = 0; // background areas and strokes on the canvas
 };
@@ -81,7 +81,7 @@ struct DrawnStroke
   bool isNode(int sample) const { return std::binary_search(this->nodes.begin(), this->nodes.end(), sample); }
 };
 
-// What messages call a stroke.
+// Number by which messages call a stroke.
 inline int nameOf(const std::vector<DrawnStroke>& strokes, int stroke)
 {
   return strokes[stroke].number < 0 ? stroke : strokes[stroke].number;
@@ -108,7 +108,7 @@ Classification classify(const Frame& frame,
   double contactShare,
   const Context& context);
 
-// What is said of strokes that cross, which vtkOversketchArrange would take as they are.
+// Texts about strokes that cross, which vtkOversketchArrange would take as they are.
 constexpr const char* crossesItselfText =
   "{Stroke %1} crosses itself near {(%2, %3)}; draw it without the loop.";
 constexpr const char* crossesText =

@@ -16,7 +16,7 @@ namespace
 
 constexpr float ridgeSlope = 0.75f, ridgeDepth = 3.0f;
 
-// What is found of a row of samples: whether each is on the ridge, where T is not 0, its thickness there, and
+// Findings of a row of samples: whether each is on the ridge, where T is not 0, its thickness there, and
 // where the steepest way up leads to from the others. All are written for every sample of it, without
 // branches, so that several are done at a time.
 struct Row
@@ -59,7 +59,7 @@ void climb(const float* row, int width, int stride, int first, const Row& found)
   }
 }
 
-// Of each row, the samples from the first to the last one with an inside, [begin, end).
+// Samples of each row from the first to the last one with an inside, [begin, end).
 std::vector<std::array<int, 2>> insides(const std::vector<float>& distance, const Frame& frame)
 {
   std::vector<std::array<int, 2>> spans(frame.height, { 0, 0 });

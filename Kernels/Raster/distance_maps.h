@@ -15,7 +15,7 @@ struct Rim
   int object = 0;
 };
 
-// What becomes of the inside of a closed feature.
+// Fate of the inside of a closed feature.
 enum class Treatment : int
 {
   Fill = 0,
@@ -23,7 +23,7 @@ enum class Treatment : int
   Tunnel = 2 // cut out of the surface
 };
 
-// Of each region: 1 where its stroke is a hole. What lies in one and is none is an island.
+// Regions, each with 1 where its stroke is a hole. What lies in one and is none is an island.
 std::vector<char> regionsInHoles(const Classification& classification,
   const std::vector<Treatment>& treatments);
 
@@ -47,7 +47,7 @@ struct DistanceMaps
   std::vector<float> distance;        // T [px]: to the nearest pixel of a rim, 0 on it and outside
   std::vector<float> thickness;       // D [px], LocalMax; 0 where T is
   std::vector<std::uint8_t> skeleton; // 1 on the ridge
-  // Of each sample inside that is not on the ridge: the neighbour that the steepest way up leads to, an index
+  // Neighbour, of each sample inside that is not on the ridge, that the steepest way up leads to, an index
   // into these; -1 elsewhere.
   std::vector<int> uphill;
 };

@@ -148,7 +148,7 @@ void fillEvenOdd(const Frame& frame,
   int value,
   std::vector<int>& image)
 {
-  // Of each row, where sides pass it.
+  // Places where sides pass each row.
   std::vector<std::vector<double>> rows(frame.height);
   for (const Polyline& polygon : polygons)
   {

@@ -9,7 +9,7 @@ namespace oversketch
 namespace
 {
 
-// Of a strip of columns, the row of the nearest chosen pixel in each pixel's column; -1 where there is none.
+// Finds in a strip of columns the row of the nearest chosen pixel in each pixel's column; -1: none.
 void searchColumns(const std::uint8_t* chosen, int width, int height, int begin, int end, int* rows)
 {
   const auto at = [width](int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width); };

@@ -10,7 +10,7 @@
 namespace oversketch
 {
 
-// Of each pixel the number of the chosen one (not 0) that is nearest to it, between centres and exactly; -1
+// Number, for each pixel, of the chosen one (not 0) that is nearest to it, between centres and exactly; -1
 // where none is chosen. Of equally near ones it takes the same on any number of threads.
 //
 // Source: Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, Theory of Computing 8 (2012):

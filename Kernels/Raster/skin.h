@@ -22,7 +22,7 @@ struct PictureSamples
   bool hasAlpha() const { return this->components % 2 == 0; }
   // Without alpha.
   int colours() const { return this->components - (this->hasAlpha() ? 1 : 0); }
-  // Of a pixel; 255 without.
+  // Alpha of a pixel; 255 without.
   int alpha(std::size_t pixel) const
   {
     const auto each = static_cast<std::size_t>(this->components);

@@ -63,7 +63,7 @@ struct Retriangulated
 // curvature of a vertex as the mesh comes; swapped where that makes the smallest angle larger; five rounds at
 // most. Only faces with a vertex strictly inside change. Moves are those of Patch, whose tests are stricter:
 // an edge beside one that cannot be split is not halved for ever, and normals turn by 60 degrees at most.
-// Of `rest` only the faces are looked at.
+// Looks only at the faces of `rest`.
 // Throws Error(Failure::BadRegion) for a mean edge that is not positive, Error(Failure::Torn) where the edit
 // stretches the region to what would take over 250,000 triangles and 16 times those that it has,
 // Error(Failure::Cancelled).

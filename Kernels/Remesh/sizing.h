@@ -47,7 +47,7 @@ struct TriangleLimit
   int most = 0;        // that a remeshing to the targets may ever make, the gone ones, too
 };
 
-// So that no triangle that is far larger than those round it costs minutes: raises the targets from below,
+// Raises the targets from below, so that no triangle that is far larger than those round it costs minutes,
 // evenly, where by area and longest edge of the active triangles they ask for more than 64 times as many and
 // 20,000, or 500,000 (but four times as many as there are always pass).
 TriangleLimit limitTriangles(const Mesh& mesh, const std::vector<char>& active, std::vector<double>& targets);

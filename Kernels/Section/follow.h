@@ -30,7 +30,7 @@ std::vector<double> sideShares(const std::vector<Vector3>& points,
   const CurveFrames& frames,
   const Context& context);
 
-// What moves with the plane: all of the curve, or with handles what lies between the plane and its
+// Part that moves with the plane: all of the curve, or with handles what lies between the plane and its
 // neighbours among them, evenly less towards those.
 class PlaneReach
 {

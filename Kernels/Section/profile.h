@@ -25,8 +25,8 @@ struct FlatProfile
 // triangles cut it into steps of any length; then they are the spline's control points (Nurbs). x runs from
 // its first point to its last, y towards the surface's outside, both scaled alike.
 //
-// What the spline takes of its control points depends on their number alone, which sections by a plane that
-// slides mostly share: it is kept from one to the next.
+// Weights that the spline gives its control points depend on their number alone, which sections by a plane
+// that slides mostly share: they are kept from one to the next.
 class ProfileFit
 {
 public:

@@ -74,7 +74,7 @@ public:
   }
   Vector3 pointOf(const Crossing& crossing) const { return crossing.place().of(this->Surface.points); }
 
-  // Of the edges round some vertices that are crossed, the one whose crossing is nearest.
+  // Finds the nearest crossing on an edge round some vertices.
   Crossing crossedNear(const std::vector<int>& vertices, const Vector3& to) const
   {
     Crossing nearest;

@@ -63,8 +63,8 @@ public:
   // centre in one line; Error(Failure::BadMesh) naming the edge where the way ends.
   Section at(const CurveFrame& frame, const Binding& start, const SectionRules& rules = {}) const;
 
-  // Of edge k, which joins corners k and (k + 1) % 3, what lies beyond it: a face, or one of the two below;
-  // and whether it is the boundary's.
+  // Beyond edge k, which joins corners k and (k + 1) % 3: a face, or one of the two below; and whether it
+  // is the boundary's.
   static constexpr int border = -1, branch = -2; // no face; several
   struct alignas(32) Face
   {

@@ -19,7 +19,7 @@ public:
   // Throws Error(Failure::Cancelled).
   Directions(const Mesh& mesh, const Adjacency& adjacency, const Context& context);
 
-  // Of the edge from corner k of a triangle to the next corner, and to the one before.
+  // Direction of the edge from corner k of a triangle to the next corner, and to the one before.
   double next(int t, int k) const { return this->First[t][k]; }
   double previous(int t, int k) const { return this->First[t][k] + this->Corner[t][k]; }
   double toward(int vertex, int neighbour) const;

@@ -113,7 +113,7 @@ public:
   }
 
 private:
-  // What weightMatrix makes of other weights, in the place of the last ones.
+  // Puts what weightMatrix makes of other weights in the place of the last ones.
   void weigh(const std::vector<double>& weights)
   {
     std::size_t neighbour = 0;

@@ -33,7 +33,7 @@ LayerList layerList(const std::string& text);
 // The text of a list, to the bit: what is read from it is the same list.
 std::string layerText(const LayerList& list);
 
-// The same layers without those of areas that are no more, of which there are so many.
+// Layers without those of areas that are no more, of which there are so many.
 std::string layersOfAreas(const std::string& layers, int areas);
 
 // The handles of an area, which is added where the list does not have it; of the whole disc below 0.

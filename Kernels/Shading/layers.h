@@ -55,7 +55,7 @@ public:
   std::vector<LayerHandle> held() const;
 
 private:
-  // Of one place: it was at these two, the same but where layers have vanished.
+  // Place now, and the two where it was: the same but where layers have vanished.
   struct Knot
   {
     double place, before, after;

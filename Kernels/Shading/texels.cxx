@@ -34,7 +34,7 @@ std::vector<double> onTexels(const std::vector<Vector2>& disc,
   const Context& context)
 {
   std::vector<double> texels(static_cast<std::size_t>(size) * static_cast<std::size_t>(size), outside);
-  // Of each row the triangles that may reach it, ascending.
+  // Triangles that may reach each row, ascending.
   std::vector<std::vector<int>> rows(static_cast<std::size_t>(size));
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {

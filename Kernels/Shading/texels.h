@@ -52,8 +52,8 @@ public:
   AreaMask(const std::vector<char>& selected, int size, double feather, const Context& context);
 
   bool selects(const Vector2& uv) const { return this->Depths[this->texelAt(uv)] > 0.0f; }
-  // What an area's own layers count at a place: 0 where it is not selected, from the border on within the
-  // feather up to 1, smoothly, so that no cliff stands there.
+  // Share that an area's own layers have at a place: 0 where it is not selected, from the border on within
+  // the feather up to 1, smoothly, so that no cliff stands there.
   double share(const Vector2& uv) const;
 
 private:
@@ -64,7 +64,7 @@ private:
   std::vector<float> Depths; // from the border [texels], at most the feather; -0.5 where it is not selected
 };
 
-// What is shaded: the disc's vertices that are strictly inside, and the texels that lie on it.
+// Places that are shaded: the disc's vertices that are strictly inside, and the texels that lie on it.
 struct ShadedPlaces
 {
   std::vector<int> vertices;        // of the disc
@@ -104,7 +104,7 @@ class Shading
 public:
   Shading(const Layers& whole, const std::vector<ShadedArea>& areas, Falloff falloff);
 
-  // Of each vertex, exact.
+  // Weight of each vertex, exact.
   std::vector<double> weights(const ShadedPlaces& places, const Context& context) const;
   // Into images of size x size; what is beside the disc is left as it is.
   void paint(const ShadedPlaces& places, float* weights, unsigned char* greys, const Context& context) const;

@@ -23,8 +23,8 @@ inline double angleBetween(const Vector3& a, const Vector3& b)
   return angleOf(a.cross(b).norm(), a.dot(b));
 }
 
-// What E_smth of a point lacks to pi. Most questions to it need no arc tangent; whether they do is decided
-// far outside of rounding errors, so the answers are those of angle().
+// Bend: what E_smth of a point lacks to pi. Most questions to it need no arc tangent; whether they do is
+// decided far outside of rounding errors, so the answers are those of angle().
 class Bend
 {
 public:

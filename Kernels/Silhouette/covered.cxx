@@ -21,7 +21,7 @@ CoveredEnd crossingOf(const PicturePoints& picture, int corner, int next, int ax
   return { a[1 - axis] + s * (b[1 - axis] - a[1 - axis]), v0, v1, s };
 }
 
-// What a triangle covers of such a line, as much of it as merging needs.
+// Span that a triangle covers of such a line, as much of it as merging needs.
 struct Span
 {
   double low = std::numeric_limits<double>::infinity(), high = -low;

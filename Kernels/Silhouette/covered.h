@@ -45,8 +45,8 @@ struct CoveredInterval
   CoveredEnd low, high;
 };
 
-// What the triangles cover of every pixel row (axis 1) or column (axis 0) of the window, measured along the
-// line through the pixel centres: disjoint intervals in ascending order.
+// Intervals that the triangles cover of every pixel row (axis 1) or column (axis 0) of the window, measured
+// along the line through the pixel centres: disjoint intervals in ascending order.
 std::vector<std::vector<CoveredInterval>> coveredIntervals(const PicturePoints& picture,
   const std::vector<Triangle>& triangles,
   int axis,

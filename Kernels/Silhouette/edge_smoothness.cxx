@@ -54,8 +54,8 @@ inline void evaluate(const EdgeSmoothness energy,
 
 } // namespace
 
-// The same operations in the same order on every path, none of them fused: vectors change how many energies
-// are found at a time, not one bit of them.
+// Operations are the same, in the same order, on every path, none of them fused: vectors change how many
+// energies are found at a time, not one bit of them.
 OVERSKETCH_CLONES double searchStraightest(const EdgeSmoothness& energy, double low, double high)
 {
   const double step = (high - low) / intervals;

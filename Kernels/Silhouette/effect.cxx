@@ -126,7 +126,7 @@ double backAlong(std::vector<OutlineLoop> loops,
   loops.insert(loops.end(), further.begin(), further.end());
   const std::vector<NearestPlace> places = nearestPlaces(loops);
   const std::vector<double> length = arcLengths(stroke);
-  // Of each loop the place nearest to one of the stroke; none where another loop comes 2 px nearer.
+  // Place of each loop that is nearest to one of the stroke; none where another loop comes 2 px nearer.
   const auto nearestTo = [&](double share)
   {
     constexpr double asNear = 2.0; // px

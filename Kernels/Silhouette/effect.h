@@ -1,4 +1,4 @@
-// What a stroke has done to a mesh, in figures and in words (no part of SEED: who draws has to be told when
+// Effect of a stroke on a mesh, in figures and in words (no part of SEED: who draws has to be told when
 // the result is not what was drawn).
 #ifndef oversketch_kernels_silhouette_effect_h
 #define oversketch_kernels_silhouette_effect_h
@@ -54,7 +54,7 @@ void measureMovement(const Mesh& before,
   StrokeEffect& effect,
   const Context& context = Context());
 
-// What is to be said of it, a sentence each, the worst first; none where the stroke did what was drawn.
+// Remarks on it, a sentence each, the worst first; none where the stroke did what was drawn.
 std::vector<Message> remarks(const StrokeEffect& effect);
 
 // True where the surface passes through itself and is not as drawn besides: limbs welded, twisted or turned

@@ -93,7 +93,7 @@ public:
 private:
   static constexpr double tolerance = 1e-9; // of the largest |g|: what counts as on the silhouette
 
-  // So many crossings at a time: what the points need is on its way while the curves are linked.
+  // Crossings at a time: what the points need is on its way while the curves are linked.
   static constexpr int block = 16;
 
   struct Crossing

@@ -40,7 +40,7 @@ double acrossFrom(const Vector3& a, const Vector3& b, double x, double y)
   return (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
 }
 
-// What is covered and shows its back in some rows.
+// Counts, in some rows, of what is covered and shows its back.
 struct BandCounts
 {
   int covered = 0, back = 0;

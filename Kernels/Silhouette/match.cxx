@@ -257,7 +257,7 @@ MatchedSection sectionOf(const std::vector<MatchCandidate>& candidates,
 }
 
 // The sections that fit, the best first: the one between the nearest places, and those of the stroke's shape.
-// Of those that are the same but for their ends, only the best, or that between the nearest places.
+// Keeps of those that are the same but for their ends only the best, or that between the nearest places.
 std::vector<MatchedSection> rankedSections(const std::vector<MatchCandidate>& candidates,
   const Drawing& drawing,
   const MatchedSection& nearest,

@@ -37,7 +37,7 @@ std::vector<char> occludedOnHost(const Mesh& mesh,
   const std::vector<OcclusionQuery>& queries,
   const Context& context = Context());
 
-// The same on an OpenCL device, one work-item per triangle, bit for bit equal to the host in the same
+// Works on an OpenCL device, one work-item per triangle, bit for bit equal to the host in the same
 // arithmetic: double where the device has it, else float, whose decisions may differ within 1e-5 of the
 // picture's extent. Throws Error(NoDevice) when the device fails.
 template <typename Real>

@@ -42,7 +42,7 @@ public:
         }
       }
     }
-    // Of a column only its crossings are asked for: what lies about them makes the same ones.
+    // Columns are asked only for their crossings: what lies about them makes the same ones.
     this->Columns = coveredIntervals(picture, this->aboutCrossings(picture, context), 0, window, context);
   }
 

@@ -62,7 +62,7 @@ public:
 
   static constexpr double margin = 50.0; // px; no outline that is nearer than this lies outside nearby()
   const Polyline& stroke() const { return this->Stroke; }
-  // What lies in the window of this margin round the stroke; all of it.
+  // Loops in the window of this margin round the stroke; all of them.
   const std::vector<OutlineLoop>& nearby() const;
   const std::vector<OutlineLoop>& whole() const;
 

@@ -13,7 +13,7 @@ struct Squares
 {
   double cross, dot; // the one squared
 
-  // Of a bend by more, or surely by less, than a small angle.
+  // Tells a bend by more, or surely by less, than a small angle.
   bool exceeds(double angle) const
   {
     return (this->dot >= 0.0) | (this->cross > this->dot * this->dot * angle * angle);

@@ -9,8 +9,8 @@
 namespace oversketch
 {
 
-// Of an edge: nearer to its end is on the vertex. A curve can creep up to a vertex for ever; much nearer,
-// rounding, and so how the model is turned, would decide when it arrives.
+// Share of an edge: nearer to its end is on the vertex. A curve can creep up to a vertex for ever; much
+// nearer, rounding, and so how the model is turned, would decide when it arrives.
 constexpr double endTolerance = 1e-4;
 
 // A place on an edge at t from its first end.
@@ -30,7 +30,7 @@ struct EdgePoint
   }
 };
 
-// What up to eight snaxels are to do, each between neighbours that stay. One visit has to wait for the one
+// Moves of up to eight snaxels, each between neighbours that stay. One visit has to wait for the one
 // before it along a curve; those of several parts of it wait together.
 class Relocations
 {
@@ -52,13 +52,13 @@ public:
     }
   };
 
-  // What is known of the snaxels.
+  // Input: the snaxels.
   Vectors before, after;                    // the neighbours' places
   Vectors at, normal;                       // their own
   Vectors ends[2], endNormals[2];           // of their edges
   double low[lanes] = {}, high[lanes] = {}; // the part of the edge with E_geo < epsilon
 
-  // What is found.
+  // Result.
   enum Verdict : std::int64_t
   {
     Stays,

@@ -26,7 +26,7 @@ constexpr double unlike =
 constexpr std::size_t finalists =
   24; // that are scored, of all parts and of those better than their neighbours
 
-// So many places at equal lengths, both ends among them.
+// Places at equal lengths, both ends among them.
 Polyline samplesOf(const Polyline& points, int count)
 {
   return uniformPolyline(points, arcLengths(points).back() / (count - 1));
@@ -89,7 +89,7 @@ double scoreOf(const Polyline& section,
   return onSection.meanDistance(back) + onStroke.meanDistance(forth) + 0.5 * gaps + shiftCost * shift.norm();
 }
 
-// What is asked again and again of one stroke.
+// Answers about one stroke that are asked for again and again.
 struct Drawn
 {
   Polyline fine;
@@ -196,7 +196,7 @@ void keepBest(std::vector<Value>& values, std::size_t count, const Better& isBet
   values.erase(last, values.end());
 }
 
-// What the sweeps found.
+// Findings of the sweeps.
 struct Findings
 {
   std::vector<CandidatePart> best;   // many beside each other round the best places

@@ -39,7 +39,7 @@ std::vector<CandidatePart> findShapes(const std::vector<MatchCandidate>& candida
   const Polyline& stroke,
   const Context& context = {});
 
-// The same score for one part, with the better of its two shifts, which is set.
+// Score for one part, with the better of its two shifts, which is set.
 void scorePart(const std::vector<MatchCandidate>& candidates, const Polyline& stroke, CandidatePart& part);
 
 // A closed stroke, drawn round a limb and back over its base, without the part that goes over the base: one

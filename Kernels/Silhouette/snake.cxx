@@ -42,8 +42,8 @@ struct Snaxel : CurvePoint
   // It and its neighbours are known not to lie in one triangle. Relocation along an edge does not change
   // that.
   bool apart = false;
-  // Of an edge snaxel, once known: the part of its edge that it can reach with E_geo < epsilon, and the
-  // edge's ends and their normals, together where the sweeps come by.
+  // Part of an edge snaxel's edge, once known, that it can reach with E_geo < epsilon, and the edge's ends
+  // and their normals, together where the sweeps come by.
   double low = 1.0, high = 0.0;
   Vector3 ends[2] = { Vector3::Zero(), Vector3::Zero() },
           endNormals[2] = { Vector3::Zero(), Vector3::Zero() };

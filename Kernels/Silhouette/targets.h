@@ -44,8 +44,8 @@ std::vector<Handle> mapTargets(const std::vector<SectionPoint>& section,
 // control points lie to and fro across the curve by up to an edge, which is no length of it.
 double curveLength(const std::vector<Vector3>& points);
 
-// Of handles on several layers, those of the layer that covers most of the section. A layer is a set of
-// handles joined by mesh edges; further layers stay when they are geodesically within 2.5 times their gap
+// Keeps, of handles on several layers, those of the layer that covers most of the section. A layer is a set
+// of handles joined by mesh edges; further layers stay when they are geodesically within 2.5 times their gap
 // along the section + 6 edges of what is kept.
 std::vector<Handle> keepOneLayer(const std::vector<Handle>& handles,
   const std::vector<SectionPoint>& section,

@@ -178,20 +178,6 @@ double CurveReach::distance(int vertex) const
   return at < 0 ? unreached : this->Found[at].distance;
 }
 
-double CurveReach::distanceOfMiddle(int a, int b) const
-{
-  const double da = this->distance(a), db = this->distance(b);
-  const Vector3 &pa = this->Mesh.vertices[a].position, &pb = this->Mesh.vertices[b].position;
-  const double straight = this->Search.nearest(this->Curve, 0.5 * (pa + pb), this->Options.radius).distance;
-  if (this->Options.kind == CurveDistance::Straight)
-  {
-    return std::isfinite(da) || std::isfinite(db) ? straight : unreached;
-  }
-  const double c = (pa - pb).norm(),
-               behind = std::min(unfoldedDistance(da, db, c, 0.5 * c, 0.0), std::min(da, db) + 0.5 * c);
-  return behind < this->Options.radius ? std::max(behind, straight) : unreached;
-}
-
 // Infinite where it is not nearer than the radius.
 Reached CurveReach::straight(int vertex) const
 {

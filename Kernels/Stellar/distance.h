@@ -59,9 +59,6 @@ public:
 
   // Distance of a vertex from the last curve, infinite where it is not reached.
   double distance(int vertex) const;
-  // Distance of the middle of an edge, by the same measure; infinite where that is farther than the
-  // radius.
-  double distanceOfMiddle(int a, int b) const;
 
 private:
   // Measures of one curve in its last search, in any order, and what it found while another one is

@@ -51,7 +51,7 @@ inline Vector2 textureCoordinates(const Canvas& canvas, const Vector2& place)
   return (place - canvas.corner).cwiseQuotient(canvas.size);
 }
 
-// The same in a picture of the back, taken from behind, so that its left is at the canvas's right; it fills
+// Place in a picture of the back, taken from behind, so that its left is at the canvas's right; it fills
 // the canvas.
 inline Vector2 backTextureCoordinates(const Canvas& canvas, const Vector2& place)
 {

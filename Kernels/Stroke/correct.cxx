@@ -50,7 +50,7 @@ struct Ring
     const double wrapped = place >= this->length() ? place - this->length() : place;
     return placeAt(this->lengths, this->count(), wrapped).of(this->points);
   }
-  // Of the arc from one place on to another, passing the start where it lies between.
+  // Length of the arc from one place on to another, passing the start where it lies between.
   double span(double from, double to) const { return to >= from ? to - from : to - from + this->length(); }
   double meanDistance(double from, double to, const NearestPlace& other) const
   {

@@ -309,15 +309,15 @@ PathField DrawnOver::corridor(int from, int to) const
   field.height = static_cast<int>(y1 - y0) + 1;
   const std::size_t size = static_cast<std::size_t>(field.width) * field.height;
   field.states.assign(size, PathField::Outside);
-  // Of each pixel: the nearest sample and its distance's square.
+  // Squares of the pixels' distances to their nearest samples, and those.
   std::vector<float> nearest(size, std::numeric_limits<float>::max());
   std::vector<int> samples(size, -1);
   const double limit = this->radius * this->radius;
   for (int i = from; i < to; ++i)
   {
     const Vector2 a = this->points[i], way = this->points[i + 1] - a;
-    // Of what lies before the segment the one before is nearer, where it does not bend away, after it the
-    // next.
+    // Pixels before the segment are nearer to the one before, where it does not bend away, those after it to
+    // the next.
     const bool isFirst = i == from, isLast = i + 1 == to;
     const Vector2& b = this->points[i + 1];
     const LineAcross before(a, isFirst ? way : Vector2(a - this->points[i - 1])), begin(a, way), end(b, way),
@@ -332,7 +332,7 @@ PathField DrawnOver::corridor(int from, int to) const
     };
     const auto [ya, yb] = range(1, field.y0, field.height);
     const double length = std::sqrt(square);
-    // Of a long segment's box only the strip beside it is looked at: where the line's distance allows.
+    // Looks only at the strip beside a long segment, of its box: where the line's distance allows.
     const bool isFlat = std::abs(way[1]) <= 1e-9 * length;
     const double slope = isFlat ? 0.0 : way[0] / way[1];
     const double half = isFlat ? 0.0 : this->radius * length / std::abs(way[1]) + 1.0;

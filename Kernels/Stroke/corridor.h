@@ -32,8 +32,8 @@ struct DrawnOver
   PathField corridor(int from, int to) const;
 };
 
-// Of each part of the stroke a path, empty where there is none, and of each of its pixels whether an edge
-// that counts is beside it.
+// Paths, one for each part of the stroke, empty where there is none, and of each of its pixels whether an
+// edge that counts is beside it.
 struct PartPaths
 {
   std::vector<std::vector<Pixel>> pixels;

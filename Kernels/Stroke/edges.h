@@ -21,7 +21,7 @@ struct PictureView
 std::vector<std::uint8_t> luminance(const PictureView<std::uint8_t>& picture);
 std::vector<std::uint8_t> luminance(const PictureView<std::uint16_t>& picture);
 
-// The same without mixing: one value a pixel of a grey picture, three of a coloured one.
+// Shades without mixing: one value a pixel of a grey picture, three of a coloured one.
 struct Shades
 {
   std::vector<std::uint8_t> values;

@@ -119,7 +119,7 @@ SnappedStroke snapped(const EdgeFeatures& features,
   const std::size_t partCount = ends.size() - 1;
   const auto [paths, strong] =
     rules.together ? pathsTogether(drawn, ends, context) : pathsBetweenSeeds(drawn, ends, context);
-  // What to leave out of each path's begin and end.
+  // Pixels to leave out of each path's begin and end.
   const int reach = static_cast<int>(std::ceil(3.0 * drawn.radius));
   std::vector<int> fromBegin(partCount, 0), fromEnd(partCount, 0);
   for (std::size_t part = closed ? 0 : 1; !rules.together && part < partCount; ++part)

@@ -3,7 +3,7 @@
 #define oversketch_kernels_stroke_livewire_h
 
 #include "Mesh/context.h"
-#include "Stroke/least_path.h"
+#include "Stroke/path_field.h"
 #include "Stroke/polyline.h"
 
 #include <cstdint>

@@ -2,6 +2,7 @@
 #include "Stroke/livewire.h"
 
 #include "Harness/shapes.h"
+#include "Stroke/path_search.h"
 
 #include <opencv2/imgproc/segmentation.hpp>
 
@@ -19,6 +20,38 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+// Cost of a given path, by its formula.
+double pathCost(const EdgeFeatures& features, const PathField& field, const std::vector<Pixel>& path)
+{
+  double cost = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    const Pixel &p = path[i - 1], &q = path[i];
+    const auto place = [&](const Pixel& a) { return static_cast<std::size_t>(a[1]) * features.width + a[0]; };
+    const Vector2 way = (q - p).cast<double>().normalized();
+    const auto along = [&](const Pixel& a)
+    {
+      const Vector2 tangent(features.gy[place(a)], -static_cast<double>(features.gx[place(a)]));
+      const double length = tangent.norm();
+      return length > 0.0 ? std::clamp(tangent.dot(way) / length, -1.0, 1.0) : 0.0;
+    };
+    double dp = along(p), dq = along(q);
+    if (dp < 0.0)
+    {
+      dp = -dp;
+      dq = -dq;
+    }
+    const double flat =
+      1.0 - (features.greatest > 0.0f ? features.magnitude[place(q)] / double(features.greatest) : 0.0);
+    const bool diagonal = p[0] != q[0] && p[1] != q[1];
+    const int at = indexOf(field, q);
+    cost += (at >= 0 && field.states[at] == PathField::Edge ? 0.0 : PathWeights::edge) +
+            PathWeights::turn * (std::acos(dp) + std::acos(dq)) / PathWeights::straightAngle +
+            PathWeights::gradient * (diagonal ? flat : flat * std::sqrt(0.5));
+  }
+  return cost;
+}
 
 // Grey values of a function of the pixel's place, averaged over 4 x 4 places of it.
 EdgeFeatures pictureOf(int width, int height, const std::function<double(double, double)>& value)
@@ -256,7 +289,11 @@ TEST(C3_5, NoPathCostsMoreThanIntelligentScissors)
         }
         return value;
       });
-    const PathField field = wholeField(picture);
+    PathField field{ 0, 0, width, height, {}, {} };
+    for (const std::uint8_t edge : picture.edges)
+    {
+      field.states.push_back(edge ? PathField::Edge : PathField::Plain);
+    }
     // The same features as OpenCV's scissors take them.
     cv::Mat plain(height, width, CV_8UC1), direction(height, width, CV_32FC2), flat(height, width, CV_32FC1);
     for (int y = 0; y < height; ++y)
@@ -291,7 +328,8 @@ TEST(C3_5, NoPathCostsMoreThanIntelligentScissors)
         }
         ASSERT_EQ(theirs.front(), from);
         ASSERT_EQ(theirs.back(), to);
-        const std::vector<Pixel> ours = leastPath(picture, field, from, to, Context());
+        const std::vector<Pixel> ours =
+          PathSearch()(picture, field, { { from, 0.0 } }, { to }, Context()).pathTo(to);
         ASSERT_EQ(ours.front(), from);
         ASSERT_EQ(ours.back(), to);
         const double a = pathCost(picture, field, ours), b = pathCost(picture, field, theirs);

@@ -52,13 +52,13 @@ struct PlaneCurve
 {
   Polyline points;
   bool closed = false; // the first point is not repeated
-  // Of its points, ascending: where another curve has one, too, they do not meet by that alone.
+  // Numbers of its points, ascending: where another curve has one, too, they do not meet by that alone.
   std::vector<int> nodes = {};
 };
 
-// Of each curve, the first segment of its own (from that point to the next) at which it meets another one or
-// itself, and which curve it meets there, of several the least; -1 for one that meets nothing. Points that
-// two neighbouring segments of a curve share are no meeting; running straight back is.
+// First segment of each curve (from that point to the next) at which it meets another one or itself, and
+// which curve it meets there, of several the least; -1 for one that meets nothing. Points that two
+// neighbouring segments of a curve share are no meeting; running straight back is.
 struct Meeting
 {
   int segment = -1;
@@ -69,7 +69,7 @@ struct Meeting
 // rounded ones is exact. The same in any order and direction of the curves, up to numbering.
 std::vector<Meeting> meetings(const std::vector<PlaneCurve>& curves, const Context& context);
 
-// Of each curve, all of its segments that meet another one or itself, ascending.
+// All segments of each curve that meet another one or itself, ascending.
 std::vector<std::vector<int>> meetingSegments(const std::vector<PlaneCurve>& curves, const Context& context);
 
 // ---- Crossings alone: a segment whose end lies exactly on another crosses it if it does so after an

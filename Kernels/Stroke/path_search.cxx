@@ -35,7 +35,7 @@ std::array<double, 8> stepAngles()
 
 } // namespace
 
-// What the search knows of a pixel; those of a field stand row by row with a frame of one pixel around,
+// Pixel as the search knows it; those of a field stand row by row with a frame of one pixel around,
 // which, like what is outside, has been reached for less than nothing: no way goes there.
 struct PathSearch::Cell
 {
@@ -52,11 +52,11 @@ struct PathSearch::Cell
   double extraCost(bool slant) const { return (slant ? root : 1.0) * this->extra; }
   // Where there is no tangent, a step turns by a right angle.
   double leastTurn() const { return this->straight ? 0.5 * PathWeights::turn : 0.0; }
-  // Of a step here but for turns.
+  // Cost of a step here but for turns.
   double least(bool slant) const { return this->edgeCost() + this->flatCost(slant) + this->extraCost(slant); }
 };
 
-// What a place may cost at most for a step from it to be looked at, rounded up; a place without a tangent
+// Cost at most of a place for a step from it to be looked at, rounded up; a place without a tangent
 // costs what it turns any step by more. It rejects most steps, and is small: the eight around a place lie in
 // three rows of it.
 struct PathSearch::Slack

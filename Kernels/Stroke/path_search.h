@@ -2,7 +2,8 @@
 #ifndef oversketch_kernels_stroke_path_search_h
 #define oversketch_kernels_stroke_path_search_h
 
-#include "Stroke/least_path.h"
+#include "Mesh/context.h"
+#include "Stroke/path_field.h"
 #include "Stroke/place_queue.h"
 
 #include <array>
@@ -26,7 +27,7 @@ public:
     Pixel pixel;
     double cost; // of the way there
   };
-  // Of a target: infinite where no way leads.
+  // Cost to a target: infinite where no way leads.
   double cost(const Pixel& target) const;
   // From a start to a target; empty where no way leads.
   std::vector<Pixel> pathTo(const Pixel& target) const;
@@ -49,8 +50,13 @@ public:
   PathSearch(const PathSearch&) = delete;
   PathSearch& operator=(const PathSearch&) = delete;
 
-  // Steps cost as leastPath says, and what the field says besides. Looks until all of the targets that can be
-  // reached are. Pixels that are not the field's are left out.
+  // The ways of least cost over eight neighbours. A step from p to q costs 0.43 fZ(q) + 0.43 fD(p, q) + 0.14
+  // fG(q), and what the field says besides: fZ is 0 on an edge that counts, else 1; fG = 1 - g / g_max, over
+  // sqrt(2) on a step along an axis; fD = (acos dp + acos dq) / pi, dp and dq the unit step times the edge's
+  // tangents at p and q, both turned about where dp is negative. (Weights are OpenCV's, the paper gives
+  // none.) Of equally cheap ways to a pixel the one found first stays; of places equally far the lower is
+  // left first. Looks until all of the targets that can be reached are. Pixels that are not the field's are
+  // left out.
   PathTree operator()(const EdgeFeatures& features,
     const PathField& field,
     const std::vector<PathTree::Start>& starts,

@@ -114,11 +114,13 @@ TEST(PathSearch, FindsWhatAPlainSearchFinds)
   {
     const int width = 1 + static_cast<int>(random() % 40), height = 1 + static_cast<int>(random() % 30);
     const EdgeFeatures features = picture(width, height, random);
-    PathField field = wholeField(features);
+    PathField field{ 0, 0, width, height, {}, {} };
     const bool dear = run % 3 == 0;
-    for (std::uint8_t& state : field.states)
+    for (const std::uint8_t edge : features.edges)
     {
-      state = random() % 4 == 0 ? std::uint8_t{ PathField::Outside } : state;
+      field.states.push_back(random() % 4 == 0 ? PathField::Outside
+                             : edge            ? PathField::Edge
+                                               : PathField::Plain);
       field.extra.push_back(run % 3 == 1 ? 0.0f : static_cast<float>(random() % 5) * (dear ? 30.0f : 0.1f));
     }
     const auto pixel = [&]

@@ -78,7 +78,7 @@ public:
     double distance = 0.0; // infinite for an empty polyline
     Vector2 place = Vector2::Zero();
 
-    // Of it; lengths comes from arcLengths.
+    // Length up to it; lengths comes from arcLengths.
     double along(const std::vector<double>& lengths) const
     {
       return lengths[this->segment] + this->t * (lengths[this->segment + 1] - lengths[this->segment]);
@@ -86,8 +86,8 @@ public:
   };
 
   explicit NearestPlace(const Polyline& points, bool closed = false);
-  // Of several nearest places, the first along the polyline; no place farther than `limit` is found (segment
-  // -1).
+  // Takes the first along the polyline of several nearest places; no place farther than `limit` is found
+  // (segment -1).
   Answer operator()(const Vector2& point, double limit = std::numeric_limits<double>::infinity()) const;
   // Mean distance of the points to the polyline.
   double meanDistance(const Polyline& points) const;

@@ -28,7 +28,7 @@ std::vector<Blend> evenPlaces(const Polyline& points, std::vector<int> kept, dou
 // right.
 std::vector<int> thinStroke(const Polyline& samples, double spacing, bool closed = false);
 
-// The same with none nearer to its neighbour than that but the ends of a short stroke: an open stroke's last
+// Samples with none nearer to its neighbour than that but the ends of a short stroke: an open stroke's last
 // sample replaces the last one kept, and of a closed one those that are nearer to the first than `spacing`
 // go, so that it closes with an even gap. Source: R. Bujans, "Sketch-Based Techniques for Mesh Deformation
 // and Editing", Sec. 4.1, where the usual spacing is 10.

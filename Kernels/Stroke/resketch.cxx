@@ -51,7 +51,7 @@ struct Walk
   double nearest(const Vector2& to) const { return NearestPlace(this->points)(to).along(this->lengths); }
 };
 
-// What comes before the new curve: the old one up to S', then the run into the new one's first point, which
+// Part before the new curve: the old one up to S', then the run into the new one's first point, which
 // is left out. `place` is S in px along the old curve.
 Resketched lead(const Walk& old, const Walk& fresh, double place, const ResketchRules& rules)
 {
@@ -134,7 +134,7 @@ void addMiddle(const Walk& old,
 // The share of the curve's length at a place between two neighbours, in whichever order they are named.
 double shareAt(const Blend& place, const std::vector<double>& lengths)
 {
-  // Of a closed curve the first sample is also the one after the last.
+  // A closed curve's first sample is also the one after the last.
   const bool wraps = std::abs(place.from - place.to) > 1;
   const std::size_t end = lengths.size() - 1;
   const double from = lengths[wraps && place.from == 0 ? end : static_cast<std::size_t>(place.from)];

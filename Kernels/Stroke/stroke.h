@@ -1,4 +1,4 @@
-// What is done to a stroke before anything looks at it.
+// Cleaning of a stroke, before anything looks at it.
 #ifndef oversketch_kernels_stroke_stroke_h
 #define oversketch_kernels_stroke_stroke_h
 

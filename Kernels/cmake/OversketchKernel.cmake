@@ -51,7 +51,7 @@ function (oversketch_embed_cl target)
   endforeach ()
 endfunction ()
 
-# Compiled OpenCL programs, ours and PoCL's, stay in the build tree: a test neither needs nor changes the user's own.
+# OpenCL programs that PoCL compiled stay in the build tree: a test neither needs nor changes the user's own.
 set(oversketch_test_caches "XDG_CACHE_HOME=${CMAKE_BINARY_DIR}/Testing/Temporary/cache")
 set(oversketch_python_caches "${oversketch_test_caches}")
 if (oversketch_ccache) # those that build find there what this build has compiled
