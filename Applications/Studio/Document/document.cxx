@@ -118,10 +118,10 @@ Document::~Document() = default;
 
 Document::Opened Document::read(const QString& path, int backend)
 {
-  const std::string file = path.toStdString();
+  const std::string file = path.toStdString(), extension = extensionOf(file);
   Opened opened;
   Session& session = opened.session;
-  if (extensionOf(file) == sessionExtension || QFileInfo(path).isDir())
+  if (extension == sessionExtension || QFileInfo(path).isDir())
   {
     SessionFile saved = readSession(file);
     opened.path = path;
@@ -133,25 +133,18 @@ Document::Opened Document::read(const QString& path, int backend)
     return opened;
   }
   Notes said;
-  const std::string known = std::string(meshExtensions) + ' ';
-  if (!isHeightsExtension(extensionOf(file)) &&
-      (extensionOf(file).empty() || known.find(extensionOf(file) + ' ') == std::string::npos))
+  if (!isHeightsExtension(extension) && !isMeshExtension(extension))
   {
     throw Failed(tr("%1 is no model, session or height grid.").arg(QFileInfo(path).fileName()).toStdString());
   }
-  if (isHeightsExtension(extensionOf(file)) && findSystem("Terrain"))
+  if (isHeightsExtension(extension) && findSystem("Terrain"))
   {
-    Node node;
-    node.id = 1;
-    node.step = terrainOf(file);
-    node.name = titleOf(node.step->system).toStdString();
-    session.nodes = { node };
+    session.nodes = { firstNode(terrainOf(file)) };
     opened.upAxis = 2;
   }
   else
   {
     session.mesh = readMesh(file, said);
-    const std::string extension = extensionOf(file);
     const bool isGltf = extension == ".gltf" || extension == ".glb"; // the standard says y
     opened.upAxis = isGltf ? 1 : upAxisOf(session.mesh);
   }
@@ -164,19 +157,14 @@ Document::Opened Document::read(const QString& path, int backend)
 
 void Document::open(Opened opened)
 {
-  this->Path = opened.path;
-  this->Seen = opened.look;
-  this->Up = opened.upAxis;
-  this->start(std::move(opened.session), true, std::move(opened.pictures));
+  this->start(std::move(opened), true);
   emit this->opened();
 }
 
 void Document::recover(const LeftBehind& left, Opened read)
 {
-  this->Path = QString::fromStdString(left.path);
-  this->Seen = read.look;
-  this->Up = read.upAxis;
-  this->start(std::move(read.session), false, std::move(read.pictures));
+  read.path = QString::fromStdString(left.path);
+  this->start(std::move(read), false);
   // The old folder goes only when the new one is on the disk.
   if (this->Saver.wait().empty())
   {
@@ -185,10 +173,13 @@ void Document::recover(const LeftBehind& left, Opened read)
   emit this->opened();
 }
 
-void Document::start(Session session, bool saved, std::vector<SharedPicture> pictures)
+void Document::start(Opened opened, bool saved)
 {
-  this->Worn = { { session.id, std::move(pictures) } };
-  this->Changes = std::make_unique<History>(std::move(session));
+  this->Path = opened.path;
+  this->Seen = opened.look;
+  this->Up = opened.upAxis;
+  this->Worn = { { opened.session.id, std::move(opened.pictures) } };
+  this->Changes = std::make_unique<History>(std::move(opened.session));
   this->holdWorn();
   if (saved)
   {

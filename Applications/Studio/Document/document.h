@@ -199,7 +199,7 @@ signals:
   void kept();
 
 private:
-  void start(oversketch_session::Session session, bool saved, std::vector<SharedPicture> pictures);
+  void start(Opened opened, bool saved);
   void commit(oversketch_session::Session session, Change change = Change::Edited);
   void commitPictures(oversketch_session::Pictures pictures);
   void commitScene(oversketch_session::Session session);

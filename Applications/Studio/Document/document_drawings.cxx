@@ -97,19 +97,11 @@ bool Document::beginDrawing(SharedStep step, const QString& name, const std::fun
   {
     return false;
   }
-  Session session;
-  Node node;
-  node.id = 1;
-  node.name = titleOf(step->system).toStdString();
-  node.step = std::move(step);
-  session.nodes = { node };
-  session.meshName = name.toStdString();
-  session.backend = this->Backend;
-  this->Path.clear();
-  this->Seen.reset();
-  this->Up = 1;
-  this->start(std::move(session), true, {});
-  emit this->opened();
+  Opened drawing;
+  drawing.session.nodes = { firstNode(std::move(step)) };
+  drawing.session.meshName = name.toStdString();
+  drawing.session.backend = this->Backend;
+  this->open(std::move(drawing));
   return true;
 }
 

@@ -113,10 +113,14 @@ SharedPicture decoded(const PictureBytes& bytes)
   return known ? known : made;
 }
 
-void whenDecoded(QObject* context,
+SharedPicture whenDecoded(QObject* context,
   const PictureBytes& bytes,
   const std::function<void(const SharedPicture&)>& then)
 {
+  if (SharedPicture known = findDecoded(*bytes))
+  {
+    return known;
+  }
   QThreadPool::globalInstance()->start(
     [bytes, then, alive = QPointer<QObject>(context)]() mutable
     {
@@ -133,6 +137,7 @@ void whenDecoded(QObject* context,
         },
         Qt::QueuedConnection);
     });
+  return nullptr;
 }
 
 vtkSmartPointer<vtkImageData> opaquePicture(vtkImageData* picture)

@@ -46,9 +46,9 @@ using SharedPicture = std::shared_ptr<const DecodedPicture>;
 SharedPicture decoded(const PictureBytes& bytes);
 // Null where nobody holds it.
 SharedPicture findDecoded(const std::string& bytes);
-// Decodes it on a thread of its own, ready to be worn, and gives it to the window's, as long as the context
-// is there.
-void whenDecoded(QObject* context,
+// Null where nobody holds it, too; then decodes it on a thread of its own, ready to be worn, and gives it to
+// the window's by `then`, as long as the context is there.
+SharedPicture whenDecoded(QObject* context,
   const PictureBytes& bytes,
   const std::function<void(const SharedPicture&)>& then);
 // All that a mesh wears, ready to be worn; none of no mesh.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -80,6 +81,15 @@ QString titleOf(const std::string& system)
 {
   const auto* row = findSystem(system);
   return row ? rowText(row->title) : QString::fromStdString(system);
+}
+
+Node firstNode(std::shared_ptr<const Step> step)
+{
+  Node node;
+  node.id = 1;
+  node.name = titleOf(step->system).toStdString();
+  node.step = std::move(step);
+  return node;
 }
 
 QStringList listOf(const std::vector<std::string>& texts)

@@ -8,6 +8,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ QString rowText(const std::string& text);
 QString rowSentence(const std::string& text);
 // The title of a step of a system.
 QString titleOf(const std::string& system);
+// The first step of a history, called so.
+oversketch_session::Node firstNode(std::shared_ptr<const oversketch_session::Step> step);
 // Texts of files that were read or written.
 QStringList listOf(const std::vector<std::string>& texts);
 // Its words in lines of so many characters at most, where none is longer.

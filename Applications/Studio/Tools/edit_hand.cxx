@@ -177,17 +177,13 @@ bool EditHand::hasWeights()
   {
     return true;
   }
-  this->Weights = findDecoded(*image->bytes);
-  if (!this->Weights)
-  {
-    whenDecoded(this,
-      image->bytes,
-      [this](const SharedPicture& made)
-      {
-        this->Weights = made;
-        this->arrangeSoon();
-      });
-  }
+  this->Weights = whenDecoded(this,
+    image->bytes,
+    [this](const SharedPicture& made)
+    {
+      this->Weights = made;
+      this->arrangeSoon();
+    });
   return bool(this->Weights);
 }
 

@@ -59,19 +59,15 @@ void Backdrop::set(const Pictures& pictures, vtkRenderer* renderer)
     card->high = { frame->GetPoint(1)[0], frame->GetPoint(1)[1] };
     if (isNew)
     {
-      card->decoded = findDecoded(*picture->image.bytes);
+      card->decoded = whenDecoded(&card->waits,
+        picture->image.bytes,
+        [one = card.get(), renderer](const SharedPicture& made) // undo has brought it back
+        {
+          one->decoded = made;
+          one->texture->SetInputData(made->pixels);
+          renderer->GetRenderWindow()->GetInteractor()->Render();
+        });
       card->texture->SetInputData(card->decoded ? card->decoded->pixels : nullptr);
-      if (!card->decoded) // undo has brought it back
-      {
-        whenDecoded(&card->waits,
-          picture->image.bytes,
-          [one = card.get(), renderer](const SharedPicture& made)
-          {
-            one->decoded = made;
-            one->texture->SetInputData(made->pixels);
-            renderer->GetRenderWindow()->GetInteractor()->Render();
-          });
-      }
       card->texture->SetColorModeToDirectScalars();
       card->texture->InterpolateOn();
       card->texture->MipmapOn();

@@ -110,21 +110,15 @@ struct ModelView::Part
   {
     if (bytes != (this->wanted ? *this->wanted : std::string()))
     {
-      this->waits.reset();
+      this->waits = std::make_unique<QObject>();
       this->wanted = bytes.empty() ? nullptr : std::make_shared<const std::string>(bytes);
-      this->wear(this->wanted ? findDecoded(bytes) : nullptr);
-      if (this->wanted && !this->picture)
+      const auto come = [this, comes](const SharedPicture& made)
       {
-        this->waits = std::make_unique<QObject>();
-        whenDecoded(this->waits.get(),
-          this->wanted,
-          [this, comes](const SharedPicture& made)
-          {
-            this->wear(made);
-            this->put();
-            comes();
-          });
-      }
+        this->wear(made);
+        this->put();
+        comes();
+      };
+      this->wear(this->wanted ? whenDecoded(this->waits.get(), this->wanted, come) : nullptr);
     }
     vtkDataArray* colours = oversketch_files::coloursOf(mesh);
     this->isColoured = colours && colours->GetName() && !this->wanted;

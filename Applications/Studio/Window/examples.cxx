@@ -65,13 +65,9 @@ Document::Opened readExample(const Example& example, int backend)
   }
   const ReadPicture read = readPicture(example.picture);
   const Image& picture = read.image;
-  Node node;
-  node.id = 1;
-  node.step = std::make_shared<const Step>(
-    withDrawing(*drawingOver(picture), oversketch_files::readStroke(example.file.toStdString())));
-  node.name = titleOf(node.step->system).toStdString();
   Document::Opened opened;
-  opened.session.nodes = { node };
+  opened.session.nodes = { firstNode(std::make_shared<const Step>(
+    withDrawing(*drawingOver(picture), oversketch_files::readStroke(example.file.toStdString())))) };
   opened.pictures = { read.decoded };
   opened.session.meshName = picture.name;
   opened.session.backend = backend;
