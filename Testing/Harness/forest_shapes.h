@@ -220,5 +220,32 @@ inline Mesh sharedMesh(const std::string& name)
   return mesh;
 }
 
+// Welds w and, before that, the finer vertices that stand in its way. False where it has no parents.
+inline bool weldDown(oversketch::Forest& forest, int w)
+{
+  if (forest.vertices[w].parents[0] < 0)
+  {
+    return false;
+  }
+  while (!forest.weldable(w))
+  {
+    int finest = -1;
+    forest.link(w,
+      [&](int u)
+      {
+        if (finest < 0 || forest.vertices[u].level > forest.vertices[finest].level)
+        {
+          finest = u;
+        }
+      });
+    if (!weldDown(forest, finest))
+    {
+      return false;
+    }
+  }
+  forest.weld(w);
+  return true;
+}
+
 } // namespace oversketch_test
 #endif
