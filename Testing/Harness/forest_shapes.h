@@ -221,7 +221,7 @@ inline Mesh sharedMesh(const std::string& name)
 }
 
 // Welds w and, before that, the finer vertices that stand in its way. False where it has no parents.
-inline bool weldDown(oversketch::Forest& forest, int w)
+inline bool weldDown(Forest& forest, int w)
 {
   if (forest.vertices[w].parents[0] < 0)
   {
@@ -233,10 +233,8 @@ inline bool weldDown(oversketch::Forest& forest, int w)
     forest.link(w,
       [&](int u)
       {
-        if (finest < 0 || forest.vertices[u].level > forest.vertices[finest].level)
-        {
-          finest = u;
-        }
+        const bool finer = finest < 0 || forest.vertices[u].level > forest.vertices[finest].level;
+        finest = finer ? u : finest;
       });
     if (!weldDown(forest, finest))
     {
