@@ -1,6 +1,7 @@
 #include "vtkOversketchEditTools.h"
 
 #include "Mesh/context.h"
+#include "Stroke/polyline.h"
 #include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -33,34 +34,13 @@ Matrix4 matrixOf(vtkDataArray* array, vtkIdType tuple)
   return matrix;
 }
 
-std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vector<int>& ids)
-{
-  std::vector<Vector3> result;
-  result.reserve(ids.size());
-  for (const int id : ids)
-  {
-    result.push_back(values[id]);
-  }
-  return result;
-}
-
-std::vector<double> lengthsOf(const std::vector<Vector3>& points)
-{
-  std::vector<double> lengths{ 0.0 };
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
-  }
-  return lengths;
-}
-
 } // namespace
 
 CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
   : Vertices(VerticesOnce(ReadChain(curve, mesh.Surface().vertexCount(), "reference curve")))
-  , Points(chosen(mesh.Surface().points, this->Vertices))
-  , Lengths(lengthsOf(this->Points))
-  , Frames(this->Points, chosen(mesh.Normals(), this->Vertices))
+  , Points(valuesAt(mesh.Surface().points, this->Vertices))
+  , Lengths(arcLengths(this->Points))
+  , Frames(this->Points, valuesAt(mesh.Normals(), this->Vertices))
 {
 }
 
