@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
 using namespace oversketch;
 

@@ -18,7 +18,6 @@
 #include "vtkPolyData.h"
 
 #include <optional>
-#include <string>
 
 using namespace oversketch;
 

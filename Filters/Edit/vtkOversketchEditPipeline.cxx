@@ -14,8 +14,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 vtkOversketchEdit::Pipeline::Pipeline(vtkOversketchEdit* self)

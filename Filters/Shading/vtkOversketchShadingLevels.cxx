@@ -19,7 +19,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <map>
-#include <string>
 
 using namespace oversketch;
 

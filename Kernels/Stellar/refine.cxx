@@ -13,7 +13,6 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
-#include <string>
 #include <utility>
 
 namespace oversketch
