@@ -8,10 +8,7 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchMovedPoints.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"

@@ -11,7 +11,6 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformationVector.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 
 using namespace oversketch;

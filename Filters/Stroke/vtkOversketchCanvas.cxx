@@ -4,7 +4,6 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
 
-#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
