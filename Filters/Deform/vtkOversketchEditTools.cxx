@@ -57,8 +57,7 @@ Binding CurveOnMesh::PlaceAt(double t) const
 std::vector<double> ReadValues(vtkPolyData* mesh,
   const char* name,
   const std::vector<int>& vertices,
-  double low,
-  double high)
+  double least)
 {
   vtkDataArray* array =
     RequireArray(mesh->GetPointData(), name, 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
@@ -70,18 +69,18 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
   for (const int v : vertices)
   {
     const double value = own ? own[v] : array->GetComponent(v, 0);
-    if (!(value >= low - rounding && value <= high + rounding))
+    if (!(value >= least - rounding && value <= 1.0 + rounding))
     {
       throw Error(Failure::BadRegion,
         "%1 of point %2 is %3, not within %4 and %5: %6.",
         name,
         v,
         value,
-        low,
-        high,
+        least,
+        1.0,
         regionRemedy);
     }
-    values.push_back(std::clamp(value, low, high));
+    values.push_back(std::clamp(value, least, 1.0));
   }
   return values;
 }
