@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <optional>
 
 using namespace oversketch;
 
@@ -101,8 +100,8 @@ std::vector<double> SidesOf(vtkPolyData* mesh, const std::vector<Binding>& place
       }
     }
   }
-  const std::vector<double> distances = ReadValues(mesh, "CurveDistance", vertices, 0.0, 1.0),
-                            sides = ReadValues(mesh, "CurveSide", vertices, -1.0, 1.0);
+  const std::vector<double> distances = ReadValues(mesh, "CurveDistance", vertices),
+                            sides = ReadValues(mesh, "CurveSide", vertices, -1.0);
   std::vector<double> beside;
   beside.reserve(places.size());
   std::size_t i = 0;

@@ -132,9 +132,9 @@ struct VertexValues
     // Places beside the boundary are between its vertices and others, and along the curve as both.
     std::vector<int> all(this->Share.size());
     std::iota(all.begin(), all.end(), 0);
-    this->Parameter = ReadValues(mesh, "CurveParameter", all, 0.0, 1.0);
-    const std::vector<double> share = ReadValues(mesh, "CurveDistance", this->Inside, 0.0, 1.0);
-    const std::vector<double> weight = ReadValues(mesh, "EditWeight", this->Inside, 0.0, 1.0);
+    this->Parameter = ReadValues(mesh, "CurveParameter", all);
+    const std::vector<double> share = ReadValues(mesh, "CurveDistance", this->Inside);
+    const std::vector<double> weight = ReadValues(mesh, "EditWeight", this->Inside);
     for (std::size_t i = 0; i < this->Inside.size(); ++i)
     {
       this->Share[this->Inside[i]] = share[i];
@@ -238,7 +238,7 @@ Motion MotionOfProfile(vtkPolyData* mesh,
   const auto curve = std::make_shared<const CurveOnMesh>(reference, *shared);
   RegionPlaces region;
   region.vertices = read.Inside;
-  region.side = ReadValues(mesh, "CurveSide", read.Inside, -1.0, 1.0);
+  region.side = ReadValues(mesh, "CurveSide", read.Inside, -1.0);
   const std::vector<double> inside =
     sideShares(shared->Surface().points, region, curve->Points, curve->Frames, ThreadsOnly());
   std::vector<double> sides(read.Share.size(), 0.5);

@@ -1,6 +1,7 @@
 #include "vtkOversketchEditTools.h"
 
 #include "Mesh/context.h"
+#include "Stroke/polyline.h"
 #include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 
@@ -12,7 +13,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace oversketch
 {
@@ -33,34 +33,13 @@ Matrix4 matrixOf(vtkDataArray* array, vtkIdType tuple)
   return matrix;
 }
 
-std::vector<Vector3> chosen(const std::vector<Vector3>& values, const std::vector<int>& ids)
-{
-  std::vector<Vector3> result;
-  result.reserve(ids.size());
-  for (const int id : ids)
-  {
-    result.push_back(values[id]);
-  }
-  return result;
-}
-
-std::vector<double> lengthsOf(const std::vector<Vector3>& points)
-{
-  std::vector<double> lengths{ 0.0 };
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    lengths.push_back(lengths.back() + (points[i] - points[i - 1]).norm());
-  }
-  return lengths;
-}
-
 } // namespace
 
 CurveOnMesh::CurveOnMesh(vtkPolyData* curve, const MeshData& mesh)
   : Vertices(VerticesOnce(ReadChain(curve, mesh.Surface().vertexCount(), "reference curve")))
-  , Points(chosen(mesh.Surface().points, this->Vertices))
-  , Lengths(lengthsOf(this->Points))
-  , Frames(this->Points, chosen(mesh.Normals(), this->Vertices))
+  , Points(valuesAt(mesh.Surface().points, this->Vertices))
+  , Lengths(arcLengths(this->Points))
+  , Frames(this->Points, valuesAt(mesh.Normals(), this->Vertices))
 {
 }
 
@@ -78,8 +57,7 @@ Binding CurveOnMesh::PlaceAt(double t) const
 std::vector<double> ReadValues(vtkPolyData* mesh,
   const char* name,
   const std::vector<int>& vertices,
-  double low,
-  double high)
+  double least)
 {
   vtkDataArray* array =
     RequireArray(mesh->GetPointData(), name, 1, mesh->GetNumberOfPoints(), "mesh", regionRemedy);
@@ -91,18 +69,18 @@ std::vector<double> ReadValues(vtkPolyData* mesh,
   for (const int v : vertices)
   {
     const double value = own ? own[v] : array->GetComponent(v, 0);
-    if (!(value >= low - rounding && value <= high + rounding))
+    if (!(value >= least - rounding && value <= 1.0 + rounding))
     {
       throw Error(Failure::BadRegion,
         "%1 of point %2 is %3, not within %4 and %5: %6.",
         name,
         v,
         value,
-        low,
-        high,
+        least,
+        1.0,
         regionRemedy);
     }
-    values.push_back(std::clamp(value, low, high));
+    values.push_back(std::clamp(value, least, 1.0));
   }
   return values;
 }

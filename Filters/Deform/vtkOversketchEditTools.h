@@ -38,14 +38,13 @@ struct CurveOnMesh
 };
 
 /**
- * A value of some vertices of a mesh's point array of one component, which must lie within low and high.
+ * A value of some vertices of a mesh's point array of one component, which must lie within `least` and 1.
  * Throws Error(MissingArray), Error(BadRegion) naming the vertex.
  */
 std::vector<double> ReadValues(vtkPolyData* mesh,
   const char* name,
   const std::vector<int>& vertices,
-  double low,
-  double high);
+  double least = 0.0);
 
 /**
  * A matrix as 16 numbers, row by row. ReadMatrix throws Error(MissingArray), Error(BadStroke) where one is

@@ -322,11 +322,7 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
       }
     }
     this->MeanHandleResidual /= static_cast<double>(this->ActiveHandleCount);
-    cache.Moves.clear();
-    for (const int v : cache.Shape->vertices)
-    {
-      cache.Moves.push_back(moves[v]);
-    }
+    cache.Moves = valuesAt(moves, cache.Shape->vertices);
     cache.Write(input, moves);
     cache.OutputKey = outputKey;
     cache.Displacements = handles.Displacements;

@@ -49,7 +49,7 @@ void vtkOversketchMatrixDeform::Cache::ReadRegion(vtkPolyData* mesh)
   this->Data = nullptr;
   const auto shared = SharedMesh(mesh);
   const std::vector<int> inside = ReadInside(mesh);
-  const std::vector<double> weights = ReadValues(mesh, "EditWeight", inside, 0.0, 1.0);
+  const std::vector<double> weights = ReadValues(mesh, "EditWeight", inside);
   std::vector<int> following;
   this->Weights.clear();
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -60,7 +60,7 @@ void vtkOversketchMatrixDeform::Cache::ReadRegion(vtkPolyData* mesh)
       this->Weights.push_back(weights[i]);
     }
   }
-  this->Parameters = ReadValues(mesh, "CurveParameter", following, 0.0, 1.0);
+  this->Parameters = ReadValues(mesh, "CurveParameter", following);
   this->Patch = MovingPatch(shared->Surface(), shared->Neighbours(), following);
   this->Places.clear();
   this->Data = shared;

@@ -8,17 +8,13 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchMovedPoints.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <optional>
-#include <string>
 
 using namespace oversketch;
 
@@ -65,9 +61,9 @@ void vtkOversketchProfileDeform::Cache::ReadRegion(vtkPolyData* mesh,
   this->Reference.emplace(curve, *shared);
   RegionPlaces& region = this->Region;
   region.vertices = ReadInside(mesh);
-  region.distance = ReadValues(mesh, "CurveDistance", region.vertices, 0.0, 1.0);
-  region.parameter = ReadValues(mesh, "CurveParameter", region.vertices, 0.0, 1.0);
-  region.side = ReadValues(mesh, "CurveSide", region.vertices, -1.0, 1.0);
+  region.distance = ReadValues(mesh, "CurveDistance", region.vertices);
+  region.parameter = ReadValues(mesh, "CurveParameter", region.vertices);
+  region.side = ReadValues(mesh, "CurveSide", region.vertices, -1.0);
   this->Patch = MovingPatch(shared->Surface(), shared->Neighbours(), region.vertices);
   this->Sides =
     sideShares(shared->Surface().points, region, this->Reference->Points, this->Reference->Frames, context);
@@ -135,9 +131,8 @@ void vtkOversketchProfileDeform::Execute(vtkInformationVector** inputs, vtkInfor
         return;
       }
       cache.ReadRegion(mesh, curve, ContextOf(this, 0.0, 0.3));
-      const std::vector<double> weights = this->UseTexture
-                                            ? ReadValues(mesh, "EditWeight", cache.Region.vertices, 0.0, 1.0)
-                                            : std::vector<double>();
+      const std::vector<double> weights =
+        this->UseTexture ? ReadValues(mesh, "EditWeight", cache.Region.vertices) : std::vector<double>();
       const std::vector<Vector3> places = cache.Places(profile,
         drawn,
         handles ? ReadHandlePlaces(handles) : std::vector<double>(),

@@ -18,8 +18,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <optional>
-
 using namespace oversketch;
 
 struct vtkOversketchProfilePlanes::Cache

@@ -2,7 +2,6 @@
 
 #include "Ray/surface_rays.h"
 #include "Stroke/polyline.h"
-#include "Stroke/resample.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 #include <vector>
 
 namespace oversketch

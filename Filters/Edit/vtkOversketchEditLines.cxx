@@ -5,7 +5,6 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellData.h"
-#include "vtkPointData.h"
 
 #include <optional>
 #include <string>

@@ -7,10 +7,8 @@
 #include "vtkOversketchSources.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"

@@ -11,10 +11,7 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformationVector.h"
-#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-
-#include <algorithm>
 
 using namespace oversketch;
 

@@ -7,10 +7,8 @@
 #include "vtkOversketchEditTools.h"
 #include "vtkOversketchSharedMesh.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -18,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <tuple>
 #include <vector>
 

@@ -21,8 +21,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 struct vtkOversketchProjectTexture::Cache : KeptOutput

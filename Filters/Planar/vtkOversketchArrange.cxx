@@ -15,8 +15,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 struct vtkOversketchArrange::Cache : KeptOutput

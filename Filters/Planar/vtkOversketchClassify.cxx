@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <string>
 
 using namespace oversketch;
 

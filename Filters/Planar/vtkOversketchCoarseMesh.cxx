@@ -13,7 +13,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 

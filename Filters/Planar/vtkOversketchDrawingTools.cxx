@@ -18,7 +18,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace oversketch

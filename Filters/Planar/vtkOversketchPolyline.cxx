@@ -13,8 +13,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 using namespace oversketch;
 
 struct vtkOversketchPolyline::Cache

@@ -26,7 +26,6 @@
 #include <cmath>
 #include <list>
 #include <memory>
-#include <string>
 
 using namespace oversketch;
 

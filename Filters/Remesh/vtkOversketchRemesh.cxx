@@ -25,7 +25,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 
 using namespace oversketch;

@@ -11,7 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -22,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 

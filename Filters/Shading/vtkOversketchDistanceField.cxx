@@ -11,8 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 using namespace oversketch;
 
 // The last fields, and what they were made of.

@@ -15,8 +15,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 using namespace oversketch;
 
 // The last disc, and what it was made of.

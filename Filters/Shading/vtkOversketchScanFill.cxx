@@ -138,7 +138,7 @@ int vtkOversketchScanFill::RequestInformation(vtkInformation*,
   vtkInformationVector**,
   vtkInformationVector* outputs)
 {
-  DescribeDiscImage(outputs->GetInformationObject(1), this->Resolution, VTK_UNSIGNED_CHAR, 1);
+  DescribeDiscImage(outputs->GetInformationObject(1), this->Resolution, VTK_UNSIGNED_CHAR);
   return 1;
 }
 

@@ -19,7 +19,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <map>
-#include <string>
 
 using namespace oversketch;
 
@@ -158,8 +157,8 @@ int vtkOversketchShadingLevels::RequestInformation(vtkInformation*,
   vtkInformationVector**,
   vtkInformationVector* outputs)
 {
-  DescribeDiscImage(outputs->GetInformationObject(1), this->Resolution, VTK_FLOAT, 1);
-  DescribeDiscImage(outputs->GetInformationObject(2), this->Resolution, VTK_UNSIGNED_CHAR, 1);
+  DescribeDiscImage(outputs->GetInformationObject(1), this->Resolution, VTK_FLOAT);
+  DescribeDiscImage(outputs->GetInformationObject(2), this->Resolution, VTK_UNSIGNED_CHAR);
   return 1;
 }
 

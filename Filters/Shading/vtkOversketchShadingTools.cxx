@@ -166,7 +166,7 @@ void LayOnDisc(vtkImageData* image, int size)
   image->SetSpacing(2.0 / size, 2.0 / size, 2.0 / size);
 }
 
-void DescribeDiscImage(vtkInformation* output, int size, int scalarType, int components)
+void DescribeDiscImage(vtkInformation* output, int size, int scalarType)
 {
   const int extent[6] = { 0, size - 1, 0, size - 1, 0, 0 };
   const double origin[3] = { 1.0 / size - 1.0, 1.0 / size - 1.0, 0.0 };
@@ -174,7 +174,7 @@ void DescribeDiscImage(vtkInformation* output, int size, int scalarType, int com
   output->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
   output->Set(vtkDataObject::ORIGIN(), origin, 3);
   output->Set(vtkDataObject::SPACING(), spacing, 3);
-  vtkDataObject::SetPointDataActiveScalarInfo(output, scalarType, components);
+  vtkDataObject::SetPointDataActiveScalarInfo(output, scalarType, 1);
 }
 
 } // namespace oversketch

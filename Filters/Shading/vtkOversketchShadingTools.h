@@ -57,8 +57,8 @@ void RequestWholeImage(vtkInformationVector* input);
 // Gives an image of size x size samples its place: the square from -1 to 1, over the disc.
 void LayOnDisc(vtkImageData* image, int size);
 
-// For RequestInformation: extent, place and scalars' type of such an image.
-void DescribeDiscImage(vtkInformation* output, int size, int scalarType, int components);
+// For RequestInformation: extent, place and scalars' type of such an image, of one component.
+void DescribeDiscImage(vtkInformation* output, int size, int scalarType);
 
 } // namespace oversketch
 #endif

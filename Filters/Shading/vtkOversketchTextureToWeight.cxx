@@ -13,8 +13,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 using namespace oversketch;
 
 // The last weights, and what they were read from.

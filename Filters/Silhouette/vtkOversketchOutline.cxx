@@ -14,7 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>
 #include <optional>
 
 using namespace oversketch;

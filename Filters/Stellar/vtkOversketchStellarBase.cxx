@@ -11,8 +11,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 struct vtkOversketchStellarBase::Cache

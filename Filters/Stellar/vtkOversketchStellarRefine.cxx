@@ -95,10 +95,10 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
       options.maximumFaces = this->MaximumFaces;
       Forest forest = before.roomyCopy();
       this->Internals->GiveNormals(step.mesh, forest, step.context);
-      RefineReport report;
       const Source source = SourceOf(step, before, this->Internals->Surface);
-      forest = refine(std::move(forest), curves, options, source, step.context, &report);
-      this->Sweeps = report.sweeps;
+      int sweeps = 0;
+      forest = refine(std::move(forest), curves, options, source, step.context, &sweeps);
+      this->Sweeps = sweeps;
       return forest;
     });
 }

@@ -4,7 +4,6 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStrokeTools.h"
 
-#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformationVector.h"
@@ -12,7 +11,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 

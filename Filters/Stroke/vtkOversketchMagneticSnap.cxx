@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 

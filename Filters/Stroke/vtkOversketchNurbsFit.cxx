@@ -19,7 +19,6 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
-#include <string>
 
 using namespace oversketch;
 

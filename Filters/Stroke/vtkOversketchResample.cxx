@@ -9,8 +9,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 using namespace oversketch;
 
 struct vtkOversketchResample::Cache : KeptOutput

@@ -17,7 +17,6 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string>
 
 using namespace oversketch;

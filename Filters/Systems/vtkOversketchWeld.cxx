@@ -18,10 +18,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace oversketch

@@ -5,7 +5,6 @@
 #include "Planar/trim.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 
 namespace oversketch

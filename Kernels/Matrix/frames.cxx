@@ -5,8 +5,6 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <cmath>
-#include <string>
 
 namespace oversketch
 {

@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <complex>
-#include <string>
 #include <utility>
 
 namespace oversketch

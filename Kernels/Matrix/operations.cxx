@@ -1,6 +1,7 @@
 #include "Matrix/operations.h"
 
 #include "Mesh/context.h"
+#include "Mesh/mesh.h"
 
 #include <Eigen/Geometry>
 
@@ -285,8 +286,7 @@ std::vector<double> handlePlaces(const std::vector<Operation>& rows)
       places.push_back(row.t);
     }
   }
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
+  sortUnique(places);
   return places;
 }
 

@@ -3,7 +3,6 @@
 #include "Mesh/context.h"
 
 #include <algorithm>
-#include <string>
 
 namespace oversketch
 {

@@ -298,16 +298,6 @@ std::vector<Vector3> vertexNormals(const Mesh& mesh, const Lists& around, const 
   return normals;
 }
 
-Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points)
-{
-  Eigen::AlignedBox3d box;
-  for (const Vector3& p : points)
-  {
-    box.extend(p);
-  }
-  return box;
-}
-
 double boundingDiagonal(const Mesh& mesh)
 {
   return mesh.points.empty() ? 0.0 : boxRound(mesh.points).diagonal().norm();

@@ -150,7 +150,17 @@ Vector3 vertexNormal(const Mesh& mesh, const Lists& around, int vertex);
 Vector3 facetNormal(const Mesh& mesh, int triangle);
 double facetArea(const Mesh& mesh, int triangle);
 
-Eigen::AlignedBox3d boxRound(const std::vector<Vector3>& points);
+// Box round points in the plane or in space.
+template <int axes>
+Eigen::AlignedBox<double, axes> boxRound(const std::vector<Eigen::Matrix<double, axes, 1>>& points)
+{
+  Eigen::AlignedBox<double, axes> box;
+  for (const Eigen::Matrix<double, axes, 1>& p : points)
+  {
+    box.extend(p);
+  }
+  return box;
+}
 double boundingDiagonal(const Mesh& mesh); // of that box; 0 without points
 
 // Length of the shortest edge path from the nearest source [model length], infinity beyond limit.

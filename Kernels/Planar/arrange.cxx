@@ -310,10 +310,7 @@ private:
     {
       ArrangedCurve made;
       made.stroke = stroke;
-      for (const int place : part)
-      {
-        made.curve.points.push_back(this->World[place]);
-      }
+      made.curve.points = valuesAt(this->World, part);
       const bool isNode[2] = { parts.size() > 1 || graph.degree(part.front()) > 2,
         parts.size() > 1 || graph.degree(part.back()) > 2 };
       if (part.size() == 2 && isNode[0] && isNode[1])

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string>
 #include <tuple>
 
 namespace oversketch

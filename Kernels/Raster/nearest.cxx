@@ -1,7 +1,6 @@
 #include "Raster/nearest.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace oversketch

@@ -1,7 +1,6 @@
 #include "Remesh/curve_walk.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <queue>
 #include <set>

@@ -3,9 +3,7 @@
 #include "Remesh/curve_walk.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
-#include <string>
 
 namespace oversketch
 {

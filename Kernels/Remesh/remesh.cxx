@@ -6,7 +6,6 @@
 #include "Remesh/sizing.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace oversketch
 {

@@ -3,7 +3,6 @@
 #include "Remesh/patch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>

@@ -3,9 +3,7 @@
 #include "Mesh/context.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <string>
 
 namespace oversketch
 {

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <optional>
 #include <queue>
-#include <string>
 #include <tuple>
 
 namespace oversketch

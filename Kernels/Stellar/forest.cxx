@@ -307,36 +307,6 @@ void Forest::weld(int w)
   this->FreeVertices.push_back(w);
 }
 
-bool Forest::simplify(int w, const std::function<bool(int)>& keep)
-{
-  std::vector<int> stack{ w };
-  while (!stack.empty())
-  {
-    const int v = stack.back();
-    if (this->vertices[v].parents[0] < 0 || (keep && keep(v)))
-    {
-      return false;
-    }
-    if (this->weldable(v))
-    {
-      this->weld(v);
-      stack.pop_back();
-      continue;
-    }
-    int finest = -1;
-    this->link(v,
-      [&](int u)
-      {
-        if (finest < 0 || this->vertices[u].level > this->vertices[finest].level)
-        {
-          finest = u;
-        }
-      });
-    stack.push_back(finest);
-  }
-  return true;
-}
-
 void Forest::rootWeights(int f, Vector3 weights[3]) const
 {
   for (int i = 0; i < 3; ++i)

@@ -178,9 +178,6 @@ public:
   bool weldable(int w) const;
   // Undoes the split that made w.
   void weld(int w);
-  // Welds w and, before that, the finer vertices that stand in its way. False, and some may be gone, where a
-  // vertex without parents or one that keep(vertex) holds is one of them.
-  bool simplify(int w, const std::function<bool(int)>& keep = nullptr);
 
   // The corners of a face as weights of its root's corners.
   void rootWeights(int f, Vector3 weights[3]) const;

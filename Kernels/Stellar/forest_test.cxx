@@ -157,7 +157,7 @@ void expectThereAndBack(const Mesh& mesh, unsigned seed, int refinements)
     if (forest.isVertex(v))
     {
       ++welds;
-      ASSERT_TRUE(forest.simplify(v));
+      ASSERT_TRUE(weldDown(forest, v));
       if (welds % 16 == 0)
       {
         ASSERT_EQ(forest.broken(), "");
@@ -199,7 +199,7 @@ TEST(D2_4, MovedVerticesComeBackToTheSameConnectivity)
   {
     if (forest.vertices[v].parents[0] >= 0)
     {
-      ASSERT_TRUE(forest.simplify(v));
+      ASSERT_TRUE(weldDown(forest, v));
     }
   }
   const Leaves back = canonicalLeaves(forest);
@@ -282,25 +282,13 @@ TEST(Forest, BirthsTellWhichSlotsCameOfWhich)
   }
 }
 
-TEST(Forest, SimplifyStopsAtWhatIsKept)
+TEST(Forest, AVertexIsWeldedAfterAllThatHangsOnIt)
 {
   Forest forest = quadForest(1, 1);
   refineAll(forest, 4);
-  int finest = -1;
-  for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
-  {
-    if (forest.vertices[v].level == 4)
-    {
-      finest = v;
-    }
-  }
-  EXPECT_FALSE(forest.simplify(0)); // a base vertex
-  const auto keep = [&](int v) { return v == finest; };
-  const int middle = 4; // of the quad, which all else hangs on
-  EXPECT_FALSE(forest.simplify(middle, keep));
+  EXPECT_FALSE(weldDown(forest, 0)); // a base vertex
+  EXPECT_TRUE(weldDown(forest, 4));  // of the quad's middle
   EXPECT_EQ(forest.broken(), "");
-  EXPECT_TRUE(forest.isVertex(finest));
-  EXPECT_TRUE(forest.simplify(middle));
   EXPECT_EQ(forest.faceCount(), 2);
 }
 

@@ -13,7 +13,6 @@
 #include <iterator>
 #include <numeric>
 #include <sstream>
-#include <string>
 #include <utility>
 
 namespace oversketch
@@ -378,27 +377,26 @@ Forest refine(Forest forest,
   const RefineOptions& options,
   const Source& source,
   const Context& context,
-  RefineReport* report)
+  int* sweeps)
 {
   checkRefineOptions(curves, options);
   checkSnapped(forest, curves);
-  const int facesBefore = forest.faceCount();
   const MidpointRule rule = midpointRule(forest, &curves, source);
-  int sweeps = 0;
+  int done = 0;
   {
     Refiner refiner(forest, curves, options, context);
-    for (std::vector<Mark> marks = refiner.marks(); !marks.empty(); marks = refiner.marks(), ++sweeps)
+    for (std::vector<Mark> marks = refiner.marks(); !marks.empty(); marks = refiner.marks(), ++done)
     {
       refiner.split(marks, rule);
-      context.checkpoint(1.0 - std::ldexp(1.0, -1 - std::min(sweeps, 30)));
+      context.checkpoint(1.0 - std::ldexp(1.0, -1 - std::min(done, 30)));
     }
   }
   assert(forest.broken().empty());
-  if (report)
+  if (sweeps)
   {
-    *report = { facesBefore, forest.faceCount(), sweeps };
+    *sweeps = done;
   }
-  return sweeps ? canonical(forest, context).forest : forest;
+  return done ? canonical(forest, context).forest : forest;
 }
 
 Forest refineToSource(const Forest& forest,

@@ -33,11 +33,6 @@ struct RefineOptions
   int maximumFaces = 4000000;
 };
 
-struct RefineReport
-{
-  int facesBefore = 0, faces = 0, sweeps = 0;
-};
-
 // The canonical forest after sweeps that split every face whose mark holds, until none does. New vertices
 // follow the curves where their parents are snapped, else the source. Throws Error(BadStroke) for a curve or
 // radius that is none, for snapped vertices that are not where these curves have them; Error(BadRegion) where
@@ -48,7 +43,7 @@ Forest refine(Forest forest,
   const RefineOptions& options,
   const Source& source,
   const Context& context,
-  RefineReport* report = nullptr);
+  int* sweeps = nullptr);
 
 // The canonical forest, its vertices on the source, split until for no leaf the place on the source of its
 // middle, or of that of its refinement edge, is farther than the tolerance [model length] from the leaf and

@@ -7,7 +7,6 @@
 #include "Stellar/snapper.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <tuple>
 

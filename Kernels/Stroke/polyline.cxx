@@ -33,16 +33,6 @@ Blend placeBefore(std::vector<double>::const_iterator next,
 
 } // namespace
 
-Eigen::AlignedBox2d boxRound(const Polyline& points)
-{
-  Eigen::AlignedBox2d box;
-  for (const Vector2& p : points)
-  {
-    box.extend(p);
-  }
-  return box;
-}
-
 bool allFinite(const Polyline& points)
 {
   return std::all_of(points.begin(), points.end(), [](const Vector2& p) { return p.allFinite(); });

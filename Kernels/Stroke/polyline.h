@@ -11,7 +11,6 @@ namespace oversketch
 
 using Polyline = std::vector<Vector2>;
 
-Eigen::AlignedBox2d boxRound(const Polyline& points);
 // Whether all of them are finite, and whether two of them differ.
 bool allFinite(const Polyline& points);
 bool differs(const Polyline& points);

@@ -220,5 +220,30 @@ inline Mesh sharedMesh(const std::string& name)
   return mesh;
 }
 
+// Welds w and, before that, the finer vertices that stand in its way. False where it has no parents.
+inline bool weldDown(Forest& forest, int w)
+{
+  if (forest.vertices[w].parents[0] < 0)
+  {
+    return false;
+  }
+  while (!forest.weldable(w))
+  {
+    int finest = -1;
+    forest.link(w,
+      [&](int u)
+      {
+        const bool finer = finest < 0 || forest.vertices[u].level > forest.vertices[finest].level;
+        finest = finer ? u : finest;
+      });
+    if (!weldDown(forest, finest))
+    {
+      return false;
+    }
+  }
+  forest.weld(w);
+  return true;
+}
+
 } // namespace oversketch_test
 #endif
