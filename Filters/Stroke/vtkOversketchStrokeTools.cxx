@@ -327,7 +327,7 @@ std::vector<StrokeCurve> ProjectStrokes(vtkAlgorithm* filter,
   vtkPolyData* strokes,
   const std::vector<DrawnLine>& lines,
   const char* missed,
-  const Projection& project)
+  const ProjectStroke& project)
 {
   std::vector<StrokeCurve> curves;
   for (std::size_t i = 0; i < lines.size(); ++i)

@@ -60,13 +60,13 @@ struct StrokeCurve
 
 // Curves of all strokes, by what `project` makes of one: the second half of a filter's progress. Throws
 // Error(BadStroke) with `missed` for a stroke that no curve comes of.
-using Projection = std::function<
+using ProjectStroke = std::function<
   std::vector<SurfaceCurve>(const View& view, const DrawnLine& line, int stroke, const Context& context)>;
 std::vector<StrokeCurve> ProjectStrokes(vtkAlgorithm* filter,
   vtkPolyData* strokes,
   const std::vector<DrawnLine>& lines,
   const char* missed,
-  const Projection& project);
+  const ProjectStroke& project);
 
 // A mesh and its ray scene, held for the next stroke.
 class KeptSurface
