@@ -2,7 +2,6 @@
 
 #include "Mixture/mixture.h"
 #include "OpenCL/device.h"
-#include "Ray/ray_caster.h"
 #include "Region/border.h"
 #include "Region/grow.h"
 #include "vtkOversketchBindings.h"
@@ -229,6 +228,37 @@ std::vector<double> Pick(const std::vector<double>& values, const std::vector<in
   return picked;
 }
 
+// The vertices by how far they lie from the middle of their surface: the same order for a turned model.
+std::vector<int> Outwards(const Mesh& mesh,
+  const std::vector<double>& areas,
+  const std::vector<int>& vertices)
+{
+  Vector3 middle = Vector3::Zero();
+  double area = 0.0;
+  for (const int v : vertices)
+  {
+    middle += areas[static_cast<std::size_t>(v)] * mesh.points[static_cast<std::size_t>(v)];
+    area += areas[static_cast<std::size_t>(v)];
+  }
+  middle /= area > 0.0 ? area : 1.0;
+  std::vector<std::pair<double, int>> sorted;
+  sorted.reserve(vertices.size());
+  for (const int v : vertices)
+  {
+    sorted.emplace_back((mesh.points[static_cast<std::size_t>(v)] - middle).norm(), v);
+  }
+  // In halves, so that two threads can.
+  const auto half = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  ThreadsOnly().each(
+    2, [&](int which) { std::sort(which == 0 ? sorted.begin() : half, which == 0 ? half : sorted.end()); });
+  std::inplace_merge(sorted.begin(), half, sorted.end());
+  std::vector<int> order;
+  order.reserve(sorted.size());
+  std::transform(
+    sorted.begin(), sorted.end(), std::back_inserter(order), [](const auto& one) { return one.second; });
+  return order;
+}
+
 double MedianOf(std::vector<double> values)
 {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -378,7 +408,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
            std::binary_search(parts.begin(), parts.end(), this->PartsOf().of[static_cast<std::size_t>(v)]);
   };
   std::vector<int> fitted;
-  const std::vector<int> all = self->EvenSamples ? alongCurve(mesh, ThreadsOnly()) : AllOf(count);
+  const std::vector<int> all = AllOf(count);
   std::copy_if(all.begin(), all.end(), std::back_inserter(fitted), isOf);
   Eigen::AlignedBox3d box;
   for (const int v : fitted)
@@ -388,7 +418,9 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
   this->Diagonal = box.isEmpty() ? 0.0 : box.diagonal().norm();
   if (self->EvenSamples)
   {
-    std::vector<int> even = evenItems(Pick(this->PartsOf().areas, fitted), mostSamples);
+    const std::vector<double>& areas = this->PartsOf().areas;
+    fitted = Outwards(mesh, areas, fitted);
+    std::vector<int> even = evenItems(Pick(areas, fitted), mostSamples);
     std::transform(even.begin(),
       even.end(),
       even.begin(),

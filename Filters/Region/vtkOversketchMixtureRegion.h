@@ -25,8 +25,8 @@
  * tell parts of a body apart, and a back that was raised took tail and legs with it;
  * - so where the thickness is the same but for the rays' noise, as on a sphere (IgnoreNoise): the region was
  * a chance patch, which tore or held no vertex inside its border;
- * - samples are even over the surface, not random (EvenSamples): neither the vertices' order nor their
- * density changes the mixtures. They alone are scaled to [0, 1], so that nothing is read of the others.
+ * - samples are even over the surface, not random (EvenSamples): neither the vertices' order, nor their
+ * density, nor a turn of the model changes the mixtures. They alone are scaled to [0, 1], so that nothing is read of the others.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Where that filter computes
@@ -155,9 +155,9 @@ public:
 
   ///@{
   /**
-   * Take the samples along a space-filling curve through the vertices at equal steps of the area, of the seeds
-   * in the order of their values at equal steps of their number; default on. Off: at random, as published, by
-   * the vertices' numbers and density, scaled by the least and greatest value of all.
+   * Take the samples in the order of the vertices' distances from the middle of the surface at equal steps of
+   * its area, of the seeds in the order of their values at equal steps of their number; default on. Off: at
+   * random, as published, by the vertices' numbers and density, scaled by the least and greatest value of all.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);

@@ -144,8 +144,5 @@ struct CurveOrder
 };
 CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Context& context);
 
-// The vertices of a mesh along that curve.
-std::vector<int> alongCurve(const Mesh& mesh, const Context& context);
-
 } // namespace oversketch
 #endif

@@ -205,34 +205,18 @@ RayFrame::RayFrame(const Mesh& mesh)
   }
 }
 
-namespace
-{
-
-std::vector<std::array<float, 4>> rounded(const Mesh& mesh, const RayFrame& frame, const Context& context)
-{
-  std::vector<std::array<float, 4>> points(mesh.points.size());
-  context.each(mesh.vertexCount(),
-    [&](int v)
-    {
-      const Eigen::Vector3f q = frame.inScene(mesh.points[v]).cast<float>();
-      points[v] = { q[0], q[1], q[2], 0.0f };
-    });
-  return points;
-}
-
-} // namespace
-
-std::vector<int> alongCurve(const Mesh& mesh, const Context& context)
-{
-  return curveOrder(rounded(mesh, RayFrame(mesh), context), context).indices;
-}
-
 RayScene::RayScene(const Mesh& mesh, const RayFrame& within, const Context& context)
-  : points(rounded(mesh, within, context))
+  : points(mesh.points.size())
   , places(mesh.points.size())
   , facets(mesh.triangles.size())
   , frame(within)
 {
+  context.each(mesh.vertexCount(),
+    [&](int v)
+    {
+      const Eigen::Vector3f q = within.inScene(mesh.points[v]).cast<float>();
+      this->points[v] = { q[0], q[1], q[2], 0.0f };
+    });
   CurveOrder along = curveOrder(this->points, context);
   this->order = std::move(along.indices);
   this->findPlaces(along.cells);

@@ -308,6 +308,21 @@ TEST(MixtureRegion, ThicknessOnDemandGivesTheSameRegion)
   }
 }
 
+TEST(MixtureRegion, ATurnedModelHasTheSameRegion)
+{
+  const Mesh mesh = surfaceOf(body(4));
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.9, Vector3(1, -2, 0.5).normalized()).toRotationMatrix();
+  Mesh turned = mesh;
+  for (Vector3& p : turned.points)
+  {
+    p = turn * p;
+  }
+  Pipeline plain(mesh), other(turned);
+  plain.region->SetHandlesData(handlesAt(mesh, front, up, { 1.65, 0, 0 }, 0.7));
+  other.region->SetHandlesData(handlesAt(turned, turn * front, turn * up, turn * Vector3(1.65, 0, 0), 0.7));
+  EXPECT_EQ(plain.smoothed(), other.smoothed());
+}
+
 TEST(MixtureRegion, OnlyWhatChangedIsDoneAgain)
 {
   Pipeline p(surfaceOf(body(1)));
