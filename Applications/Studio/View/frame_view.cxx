@@ -91,11 +91,6 @@ void FrameView::renderNow()
   Latency::of().frameBegins();
   this->Window->Render();
   this->repaint();
-  this->finish();
-}
-
-void FrameView::finish()
-{
   if (this->onProcessor() && this->isValid())
   {
     this->makeCurrent();

@@ -45,7 +45,6 @@ protected:
   virtual void renderSmooth();
   void paintGL() override;
   bool onProcessor(); // false as long as there is no context to ask
-  void finish();      // waits for what the processor draws
 
   vtkNew<vtkGenericOpenGLRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;

@@ -22,14 +22,12 @@
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <chrono>
-#include <utility>
 
 namespace oversketch_studio
 {

@@ -59,7 +59,10 @@ void Viewport::drawFrame()
   this->IsCoarse = this->WholeFrame > frameBudget && this->handMoves() && this->Model.drawCoarse(true);
   const double begin = this->Clock();
   this->Window->Render();
-  this->finish();
+  if (this->onProcessor() && this->isValid())
+  {
+    this->Window->WaitForCompletion(); // it draws behind the program's back
+  }
   const double time = this->Clock() - begin;
   this->Model.drawCoarse(false);
   const vtkMTimeType mesh = this->mesh() ? this->mesh()->GetMTime() : 0;
