@@ -1,6 +1,7 @@
 #include "model_view.h"
 
 #include "back_faces.h"
+#include "coarse_skin.h"
 #include "mesh_file.h"
 #include "models.h"
 #include "picture_files.h"
@@ -36,6 +37,9 @@ namespace
 // A surface that faces the eye is nearly as light as the picture itself; one that faces the key light is not
 // brighter than white, so that the form is seen on white paper, too.
 constexpr double pictureAmbient = 0.22, pictureDiffuse = 0.78, pictureShine = 0.03, shine = 0.15;
+// Triangles: a model of fewer is drawn whole however late its frames are, as is each small part; what stands
+// in for a large one.
+constexpr vtkIdType largeModel = 100000, smallPart = 5000, coarseModel = 40000;
 constexpr const char* place = "//VTK::Light::Impl";
 
 // The colour by the way the surface faces, seen from the eye: of a ball of clay under a warm light from above
@@ -78,8 +82,9 @@ void shade(vtkActor* actor, Shading shading)
 // A piece that is drawn by itself, in what it wears: a picture, else its own colours, else none.
 struct ModelView::Part
 {
-  vtkNew<vtkPolyDataMapper> mapper;
+  vtkNew<vtkPolyDataMapper> mapper, coarse; // of the mesh, and of what stands in for it
   vtkNew<vtkActor> actor;
+  CoarseSkin skin;
   oversketch_files::SharpEdges edges;
   BackFaces backs;
   vtkNew<vtkTexture> texture;
@@ -122,11 +127,14 @@ struct ModelView::Part
     }
     vtkDataArray* colours = oversketch_files::coloursOf(mesh);
     this->isColoured = colours && colours->GetName() && !this->wanted;
-    if (this->isColoured)
+    for (vtkPolyDataMapper* one : { this->mapper.Get(), this->coarse.Get() })
     {
-      this->mapper->SetColorModeToDirectScalars();
-      this->mapper->SetScalarModeToUsePointFieldData();
-      this->mapper->SelectColorArray(colours->GetName());
+      if (this->isColoured)
+      {
+        one->SetColorModeToDirectScalars();
+        one->SetScalarModeToUsePointFieldData();
+        one->SelectColorArray(colours->GetName());
+      }
     }
     this->put();
   }
@@ -149,6 +157,7 @@ struct ModelView::Part
     vtkProperty* surface = this->actor->GetProperty();
     this->actor->SetTexture(isPicture ? this->texture.Get() : nullptr);
     this->mapper->SetScalarVisibility(isWorn && this->isColoured);
+    this->coarse->SetScalarVisibility(isWorn && this->isColoured);
     isPicture ? surface->SetColor(1.0, 1.0, 1.0)
               : surface->SetColor(this->look.plain.data()); // the picture's own
     surface->SetAmbient(isPicture ? pictureAmbient : 0.0);
@@ -199,6 +208,7 @@ void ModelView::show(vtkPolyData* mesh)
   {
     Part& part = *this->Parts[i];
     part.mapper->SetInputData(part.edges.look(pieces[i].mesh));
+    part.skin.clear();
     part.actor->SetVisibility(this->Visible);
     part.dress(pieces[i].mesh,
       pieces[i].picture,
@@ -287,6 +297,46 @@ void ModelView::hideBacks(bool hide)
     vtkPolyData* mesh = hide && this->Shown ? part->mapper->GetInput() : nullptr;
     part->actor->GetProperty()->SetBackfaceCulling(mesh && part->backs.areHidden(mesh, this->Renderer));
   }
+}
+
+void ModelView::makeCoarse()
+{
+  const auto trianglesOf = [](const auto& part)
+  {
+    vtkPolyData* mesh = part->mapper->GetInput();
+    return mesh ? mesh->GetNumberOfPolys() : vtkIdType{ 0 };
+  };
+  vtkIdType all = 0;
+  for (const auto& part : this->Parts)
+  {
+    all += trianglesOf(part);
+  }
+  for (const auto& part : this->Parts)
+  {
+    const vtkIdType count = trianglesOf(part);
+    if (all >= largeModel && count >= smallPart)
+    {
+      part->skin.make(part->mapper->GetInput(), coarseModel * count / all);
+    }
+  }
+}
+
+// Edges that are drawn would be other ones.
+bool ModelView::drawCoarse(bool coarse)
+{
+  bool any = false;
+  for (const auto& part : this->Parts)
+  {
+    const bool may = coarse && this->Look.shading != Shading::Wire;
+    vtkPolyData* skin = may ? part->skin.of(part->mapper->GetInput()) : nullptr;
+    if (skin && part->coarse->GetInput() != skin)
+    {
+      part->coarse->SetInputData(skin);
+    }
+    part->actor->SetMapper(skin ? part->coarse : part->mapper);
+    any = any || skin;
+  }
+  return any;
 }
 
 } // namespace oversketch_studio

@@ -54,6 +54,10 @@ public:
   void setVisible(bool visible);
   // Draws no faces that others hide, where that can be told, or all.
   void hideBacks(bool hide);
+  // Makes a coarser skin for the hand's movements, of a large mesh (CoarseSkin), once for its faces.
+  void makeCoarse();
+  // Draws that from here on, where there is one, or the mesh itself. Returns whether it does.
+  bool drawCoarse(bool coarse);
   // These parts of it (cell array PartId) are not drawn; of a mesh without parts, -1: all of it.
   void hide(const std::set<int>& parts);
 

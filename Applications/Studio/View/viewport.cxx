@@ -22,13 +22,12 @@
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
-#include <QCoreApplication>
 #include <QKeyEvent>
 #include <QTimer>
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <utility>
+#include <chrono>
 
 namespace oversketch_studio
 {
@@ -41,13 +40,19 @@ namespace
 // The paper's colour of a silhouette section.
 constexpr double sectionColour[3] = { 0.16, 0.42, 0.95 };
 constexpr float sectionWidth = 3.0F; // px as Qt counts them, of the section
-constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
 
 } // namespace
 
 Viewport::Viewport(QWidget* parent)
   : FrameView(parent)
   , Await(new QTimer(this))
+  , Clock(
+      []
+      {
+        const std::chrono::duration<double, std::milli> now =
+          std::chrono::steady_clock::now().time_since_epoch();
+        return now.count();
+      })
 {
   this->makeScene();
   this->interactor()->SetInteractorStyle(this->Style);
@@ -118,6 +123,7 @@ Viewport::~Viewport()
 
 void Viewport::moveBegins()
 {
+  this->CameraSteps = this->Style->GetState() == VTKIS_NONE; // no drag
   this->hideHint();
   emit this->cameraMoves();
 }
@@ -168,92 +174,10 @@ void Viewport::setHandCursor(Qt::CursorShape shape)
   this->setCursor(this->defaultCursor());
 }
 
-void Viewport::render()
-{
-  this->Await->stop();
-  this->RenderWaits = false;
-  this->fitCamera();
-  if (this->CurrentTool)
-  {
-    this->CurrentTool->frameBegins();
-  }
-  this->Behind.look(this->Renderer);
-  if (this->onProcessor())
-  {
-    this->Renderer->UseFXAAOff();
-    this->Model.hideBacks(true);
-    this->Rest->start();
-  }
-  Latency::of().frameBegins();
-  this->Window->Render();
-  this->PaintWaits = true;
-}
-
-bool Viewport::awaits() const
-{
-  return this->Await->isActive();
-}
-
-bool Viewport::isHeld() const
-{
-  return this->awaits() || (this->CurrentTool && this->CurrentTool->draws());
-}
-
-// Where the processor draws, edges are smoothed and all faces drawn once nothing moves any more.
-void Viewport::renderSmooth()
-{
-  if (this->onProcessor())
-  {
-    this->Renderer->UseFXAAOn();
-    this->Model.hideBacks(false);
-    this->Window->Render();
-  }
-}
-
-// And paints it, so that no frame is drawn that nobody sees.
-void Viewport::renderNow()
-{
-  this->render();
-  this->repaint();
-}
-
 void Viewport::zoomAt(double factor, const QPointF& at)
 {
   const double ratio = this->devicePixelRatioF();
   this->Style->ZoomAt(factor, ratio * at.x(), ratio * (this->height() - at.y()) - 1.0);
-}
-
-// Qt puts a repaint off that follows closely on the last.
-void Viewport::paintNow()
-{
-  this->update();
-  QEvent now(QEvent::UpdateRequest);
-  QCoreApplication::sendEvent(this->window(), &now);
-}
-
-void Viewport::awaitMesh()
-{
-  this->Await->start(awaitTime);
-}
-
-void Viewport::awaitNoMore()
-{
-  this->Await->stop();
-  if (std::exchange(this->RenderWaits, false))
-  {
-    this->renderSoon();
-  }
-}
-
-void Viewport::paintGL()
-{
-  this->PaintWaits = false;
-  this->Behind.look(this->Renderer);
-  FrameView::paintGL();
-  if (this->CurrentTool)
-  {
-    this->CurrentTool->framePainted();
-  }
 }
 
 void Viewport::resizeGL(int width, int height)
@@ -333,7 +257,8 @@ bool Viewport::event(QEvent* event)
   if (press || release)
   {
     // The pen draws over what is on screen; the line's end is seen before all that a stroke's end brings.
-    if (this->RenderWaits)
+    this->CameraSteps = false;
+    if (this->RenderWaits || this->IsCoarse)
     {
       this->render();
     }
@@ -341,6 +266,10 @@ bool Viewport::event(QEvent* event)
     {
       this->paintNow();
     }
+  }
+  if (type == QEvent::MouseButtonRelease && this->IsCoarse)
+  {
+    this->renderSoon();
   }
   return this->Gestures.moves(event) || FrameView::event(event);
 }

@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -97,6 +98,8 @@ public:
   void zoomAt(double factor, const QPointF& at); // a place of the widget
   void setHandCursor(Qt::CursorShape shape);
   void renderNow() override;
+  // The clock that frames are timed with [ms].
+  void setClock(const std::function<double()>& clock) { this->Clock = clock; }
   // The widgets that are seen over the view, the strip at its upper left corner, the axes, in the screen's
   // pixels.
   std::vector<Hint::Box> overlays() const;
@@ -124,6 +127,8 @@ private:
   void makeScene();
   void moveBegins(); // of the camera
   void render();
+  void drawFrame();
+  bool handMoves() const; // the camera, or what a tool holds
   void paintNow();
   void awaitNoMore();
   void placeHint();
@@ -146,6 +151,11 @@ private:
   std::array<int, 2> Fitted{ 1, 1 };
   QTimer* Await; // runs while a mesh is awaited
   bool PaintWaits = false;
+  std::function<double()> Clock;
+  double WholeFrame = 0.0;  // ms, of the last frame of the whole model
+  vtkMTimeType Drawn = 0;   // the mesh in it
+  bool CameraSteps = false; // a wheel or a key moves it, until it rests
+  bool IsCoarse = false;    // the last frame is
 };
 
 } // namespace oversketch_studio
