@@ -63,8 +63,8 @@ JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex,
   {
     if (number[v] == 0)
     {
-      number[v] = this->mesh.vertexCount();
-      this->mesh.points.push_back(whole.points[v]);
+      number[v] = static_cast<int>(this->vertices.size());
+      this->vertices.push_back(v);
       this->region.push_back(regionVertex[v]);
     }
   }
@@ -72,6 +72,7 @@ JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex,
   {
     t = { number[t[0]], number[t[1]], number[t[2]] };
   }
+  this->place(whole);
   this->adjacency = buildAdjacency(this->mesh, context);
 }
 
