@@ -214,20 +214,22 @@ void measureMovement(const Mesh& before,
   {
     double movement = 0.0, distance = 0.0; // px; from the hull
   };
-  std::vector<Step> steps(before.points.size());
-  context.each(before.vertexCount(),
-    [&](int v)
+  const std::vector<int> chosen = marked(region);
+  std::vector<Step> steps(chosen.size());
+  context.each(static_cast<int>(chosen.size()),
+    [&](int i)
     {
-      if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
+      const int v = chosen[i];
+      if (!view.inFront(before.points[v]) || !view.inFront(after.points[v]))
       {
         return;
       }
       const Vector2 was = view.toDisplay(before.points[v]).head<2>();
       const Vector2 is = view.toDisplay(after.points[v]).head<2>();
       constexpr double seen = 2.5; // px
-      steps[v].movement = (is - was).norm();
-      steps[v].distance =
-        steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
+      steps[i].movement = (is - was).norm();
+      steps[i].distance =
+        steps[i].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
     });
   for (const Step& step : steps)
   {
