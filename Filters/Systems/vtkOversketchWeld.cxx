@@ -183,16 +183,14 @@ class Weld::Split
 {
 public:
   Split(const Weld& weld, const Origins& origins, const MeshData& result)
-    : Triangles(result.Surface().triangles)
   {
-    const std::vector<int> loose = weld.LoosePoints();
-    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), loose)
-                          : this->SplitVertices(origins, result.Surface(), loose);
+    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), weld)
+                          : this->SplitVertices(origins, result.Surface(), weld.LoosePoints());
   }
 
-  std::vector<Triangle> Triangles;
-  std::vector<int> Vertices; // per point, in the last remeshing
-  std::vector<int> Whole;    // per point, the point of the mesh that it is; -1 for a mix
+  std::vector<Triangle> Triangles; // empty where nothing was split
+  std::vector<int> Vertices;       // per point, in the last remeshing
+  std::vector<int> Whole;          // per point, the point of the mesh that it is; -1 for a mix
   Mix Of(vtkIdType point) const
   {
     const int whole = this->Whole[static_cast<std::size_t>(point)];
@@ -202,13 +200,18 @@ public:
 
 private:
   // Where nothing was split, every vertex is a point, and one corner speaks for all.
-  void TakeVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
+  void TakeVertices(const Origins& origins, const Mesh& mesh, const Weld& weld)
   {
     std::vector<int> corners(mesh.points.size(), -1); // the first of each vertex, 3 t + k
-    for (int h = 3 * mesh.triangleCount() - 1; h >= 0; --h)
+    for (int t = mesh.triangleCount() - 1; t >= 0; --t)
     {
-      corners[mesh.triangles[h / 3][h % 3]] = h;
+      for (int k = 2; k >= 0; --k)
+      {
+        corners[mesh.triangles[t][k]] = 3 * t + k;
+      }
     }
+    const bool anyLoose = std::find(corners.begin(), corners.end(), -1) != corners.end();
+    const std::vector<int> loose = anyLoose ? weld.LoosePoints() : std::vector<int>();
     this->Vertices.resize(mesh.points.size());
     std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
     this->Whole.resize(mesh.points.size());
@@ -253,6 +256,7 @@ private:
   void SplitVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
   {
     std::size_t nextLoose = 0;
+    this->Triangles = mesh.triangles;
     const Lists around = trianglesAround(mesh);
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
@@ -481,6 +485,10 @@ void Weld::CarryNormals(vtkPolyData* mesh,
   const auto count = static_cast<vtkIdType>(split.Whole.size());
   const Mesh& surface = this->Data->Surface();
   vtkDataArray* normals = mesh->GetPointData()->GetNormals() ? output->GetPointData()->GetNormals() : nullptr;
+  if (!normals && !output->GetCellData()->GetNormals())
+  {
+    return;
+  }
   const std::vector<Vector3> none;
   const std::vector<Vector3>& before = normals ? this->Data->Normals() : none;
   const std::vector<Vector3>& now = normals ? result.Normals() : none;
@@ -523,7 +531,7 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   vtkCellData* from = mesh->GetCellData();
   vtkDataArray* cells =
     RequireArray(last->GetCellData(), "OriginalCell", 1, last->GetNumberOfPolys(), "remeshed mesh", remedy);
-  std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? split.Triangles.size() : 0);
+  std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? result->Surface().triangles.size() : 0);
   for (std::size_t t = 0; t < sources.size(); ++t)
   {
     sources[t] = static_cast<vtkIdType>(cells->GetComponent(static_cast<vtkIdType>(t), 0));
