@@ -322,18 +322,15 @@ private:
 Weld::Weld(vtkPolyData* mesh)
 {
   RequirePolygonsOnly(mesh);
-  std::vector<Vector3> positions(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    mesh->GetPoint(static_cast<vtkIdType>(i), positions[i].data());
-  }
-  this->Vertices = weldPoints(positions);
+  this->Geometry->SetPoints(mesh->GetPoints());
+  this->Geometry->SetPolys(mesh->GetPolys());
+  const std::shared_ptr<const MeshData> split = SharedMesh(this->Geometry);
+  this->Data = split;
+  this->Vertices = weldPoints(split->Surface().points);
   const bool welded = !this->Vertices.empty();
-  Mesh split;
   if (welded)
   {
-    split = MeshOf(mesh);
-    const Mesh surface = weldedMesh(split, this->Vertices);
+    const Mesh surface = weldedMesh(split->Surface(), this->Vertices);
     auto points = NewPoints(mesh, surface.vertexCount());
     for (int v = 0; v < surface.vertexCount(); ++v)
     {
@@ -341,13 +338,8 @@ Weld::Weld(vtkPolyData* mesh)
     }
     this->Geometry->SetPoints(points);
     this->Geometry->SetPolys(CellsOf(surface.triangles));
+    this->Data = SharedMesh(this->Geometry);
   }
-  else
-  {
-    this->Geometry->SetPoints(mesh->GetPoints());
-    this->Geometry->SetPolys(mesh->GetPolys());
-  }
-  this->Data = SharedMesh(this->Geometry);
   const auto cells = NewArray<vtkIdTypeArray>("OriginalCell", 1, mesh->GetNumberOfPolys());
   std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
   this->Geometry->GetCellData()->AddArray(cells);
@@ -369,7 +361,7 @@ Weld::Weld(vtkPolyData* mesh)
     attributeClasses(this->Vertices, { static_cast<int>(components.size()), [&components](int point, int k) {
                                         return components[k].first->GetComponent(point, components[k].second);
                                       } });
-  this->Corners = std::move(split.triangles);
+  this->Corners = split->Surface().triangles;
   const Charts charts =
     findCharts(this->Data->Surface(), this->Data->Neighbours(), this->Corners, this->Classes);
   if (charts.count > 1)
