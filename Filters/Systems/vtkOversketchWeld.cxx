@@ -143,7 +143,10 @@ public:
       int corner;
       double weight;
     };
-    std::vector<Share> shares{ { triangle, corner, 1.0 } }, earlier;
+    std::vector<Share> shares, earlier;
+    shares.reserve(9); // of two remeshings
+    earlier.reserve(9);
+    shares.push_back({ triangle, corner, 1.0 });
     for (auto sources = this->Chain.rbegin(); sources != this->Chain.rend(); ++sources)
     {
       earlier.clear();
@@ -161,6 +164,7 @@ public:
       shares.swap(earlier);
     }
     Mix mix;
+    mix.reserve(shares.size());
     for (const Share& share : shares)
     {
       mix.emplace_back(this->PointAt(share.triangle, share.corner), share.weight);
