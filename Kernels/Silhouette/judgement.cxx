@@ -102,6 +102,15 @@ int foldedEdges(const Mesh& mesh,
       }
     });
   eachTriangleAt(near, [&part](int t) { part[t] = 1; });
+  std::vector<Vector3> normals(mesh.triangles.size()); // of the part
+  context.each(mesh.triangleCount(),
+    [&](int t)
+    {
+      if (part[t])
+      {
+        normals[t] = facetNormal(mesh, t);
+      }
+    });
   std::vector<std::array<int, 2>> pairs;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -127,7 +136,7 @@ int foldedEdges(const Mesh& mesh,
   const double limit = std::cos(100.0 * M_PI / 180.0);
   std::vector<char> folded(pairs.size(), 0);
   context.each(static_cast<int>(pairs.size()),
-    [&](int i) { folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit; });
+    [&](int i) { folded[i] = normals[pairs[i][0]].dot(normals[pairs[i][1]]) < limit; });
   return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 
