@@ -195,11 +195,15 @@ public:
   std::vector<Triangle> Triangles; // empty where nothing was split
   std::vector<int> Vertices;       // per point, in the last remeshing
   std::vector<int> Whole;          // per point, the point of the mesh that it is; -1 for a mix
+  // What a point is that is no point of the mesh.
+  const Mix& MixedOf(vtkIdType point) const
+  {
+    return this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];
+  }
   Mix Of(vtkIdType point) const
   {
     const int whole = this->Whole[static_cast<std::size_t>(point)];
-    return whole >= 0 ? Mix{ { whole, 1.0 } }
-                      : this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];
+    return whole >= 0 ? Mix{ { whole, 1.0 } } : this->MixedOf(point);
   }
 
 private:
@@ -462,7 +466,8 @@ void Weld::CarryPoints(vtkPolyData* mesh,
       }
     });
   output->SetPoints(points);
-  const CarriedPoints carried{ split.Whole, [&split](vtkIdType point) { return split.Of(point); } };
+  const CarriedPoints carried{ split.Whole,
+    [&split](vtkIdType point) -> const Mix& { return split.MixedOf(point); } };
   CarryArrays(from,
     output->GetPointData(),
     [&](vtkAbstractArray* array, bool)
