@@ -42,22 +42,26 @@ double leastDistance(const std::vector<NearestPlace>& places, const Vector2& p)
 
 JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
 {
-  std::vector<char> near = regionVertex;
-  for (const Triangle& t : whole.triangles)
+  std::vector<char> near = regionVertex, touched(whole.triangles.size());
+  const auto trianglesAt = [&](const std::vector<char>& chosen)
   {
-    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
-    {
-      near[t[0]] = near[t[1]] = near[t[2]] = 1;
-    }
+    context.each(whole.triangleCount(),
+      [&](int i)
+      {
+        const Triangle& t = whole.triangles[i];
+        touched[i] = static_cast<char>(chosen[t[0]] | chosen[t[1]] | chosen[t[2]]);
+      });
+    return valuesAt(whole.triangles, marked(touched));
+  };
+  for (const Triangle& t : trianglesAt(regionVertex))
+  {
+    near[t[0]] = near[t[1]] = near[t[2]] = 1;
   }
+  this->mesh.triangles = trianglesAt(near);
   std::vector<int> number(whole.points.size(), -1);
-  for (const Triangle& t : whole.triangles)
+  for (const Triangle& t : this->mesh.triangles)
   {
-    if (near[t[0]] || near[t[1]] || near[t[2]])
-    {
-      this->mesh.triangles.push_back(t);
-      number[t[0]] = number[t[1]] = number[t[2]] = 0;
-    }
+    number[t[0]] = number[t[1]] = number[t[2]] = 0;
   }
   for (int v = 0; v < whole.vertexCount(); ++v)
   {
