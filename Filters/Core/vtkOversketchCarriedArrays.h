@@ -128,7 +128,7 @@ private:
  */
 struct OVERSKETCHFILTERSCORE_EXPORT CarriedPoints
 {
-  using Mixes = std::function<Mix(vtkIdType point)>; // of the input's points
+  using Mixes = std::function<const Mix&(vtkIdType point)>; // of the input's points, until it is called again
 
   const std::vector<int>& Sources;
   Mixes Mixed;

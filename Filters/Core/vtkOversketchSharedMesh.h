@@ -47,6 +47,10 @@ public:
    */
   const Adjacency& Neighbours() const;
   /**
+   * Whether both have one adjacency.
+   */
+  bool HasLinksOf(const MeshData& other) const { return this->Linked == other.Linked; }
+  /**
    * Unit vertex normals: the active point normals where the polydata has them with the right size
    * (re-normalised), else computed (angle-weighted). Absent normals are no error.
    */

@@ -12,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -107,40 +105,16 @@ int CrossingsIn(vtkPolyData* mesh, const Context& context)
   vtkDataArray* region = mesh->GetPointData()->GetArray("EditRegion");
   const auto data = SharedMesh(mesh);
   const Mesh& surface = data->Surface();
-  const auto isInside = [&](int t)
-  {
-    const Triangle& c = surface.triangles[t];
-    return std::any_of(
-      c.begin(), c.end(), [&](int v) { return region->GetComponent(v, 0) == EditLabel::Inside; });
-  };
-  const auto boxOf = [&](int t)
-  {
-    Eigen::AlignedBox3d box;
-    for (const int v : surface.triangles[t])
+  std::vector<char> changed(surface.triangles.size());
+  std::transform(surface.triangles.begin(),
+    surface.triangles.end(),
+    changed.begin(),
+    [region](const Triangle& t)
     {
-      box.extend(surface.points[v]);
-    }
-    return box;
-  };
-  Eigen::AlignedBox3d whole;
-  for (int t = 0; t < surface.triangleCount(); ++t)
-  {
-    if (isInside(t))
-    {
-      whole.extend(boxOf(t));
-    }
-  }
-  Mesh near{ surface.points, {} }; // what the region may meet
-  std::vector<char> changed;
-  for (int t = 0; t < surface.triangleCount(); ++t)
-  {
-    if (!boxOf(t).intersection(whole).isEmpty())
-    {
-      near.triangles.push_back(surface.triangles[t]);
-      changed.push_back(isInside(t) ? 1 : 0);
-    }
-  }
-  return near.triangles.empty() ? 0 : static_cast<int>(crossingFaces(near, changed, context).size());
+      return static_cast<char>(std::any_of(
+        t.begin(), t.end(), [region](int v) { return region->GetComponent(v, 0) == EditLabel::Inside; }));
+    });
+  return static_cast<int>(crossingFaces(surface, changed, context).size());
 }
 
 double DepthInThickness(vtkPolyData* section, vtkPolyData* drawn, vtkPolyData* ground, const Context& context)

@@ -26,60 +26,43 @@ vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Ma
   return made;
 }
 
-void vtkOversketchOneStroke::Pipeline::JudgeSurface(MadeMesh& made, const char* stage)
+const JudgedPart& vtkOversketchOneStroke::Pipeline::PartOf(const char* stage)
 {
-  if (made.Folds)
+  MadeMesh& made = this->Made(stage);
+  for (const auto& [name, other] : this->MadeMeshes)
   {
-    return;
-  }
-  const std::vector<char> region = this->RegionOf(stage);
-  const auto judge =
-    [&made](const oversketch::Mesh& mesh, const Adjacency& adjacency, const std::vector<char>& inside)
-  {
-    // Side by side: most of either is a walk over the mesh that is not threaded.
-    const auto one = [&](int which)
+    if (!made.Part && other.Part && other.Data->HasLinksOf(*made.Data))
     {
-      if (which == 0)
-      {
-        made.Folds = foldedEdges(mesh, adjacency, inside, ThreadsOnly());
-      }
-      else
-      {
-        made.Rough = roughness(mesh, adjacency, inside, ThreadsOnly());
-      }
-    };
-    ThreadsOnly().parallelFor(2,
-      [&one](int begin, int end)
-      {
-        for (int which = begin; which < end; ++which)
-        {
-          one(which);
-        }
-      });
-  };
-  if (this->Self->GetStep(stage) == this->Restore)
-  {
-    // No other step asks for the links of this mesh.
-    const JudgedPart part(made.Data->Surface(), region, ThreadsOnly());
-    judge(part.mesh, part.adjacency, part.region);
+      made.Part = other.Part; // deformed, with the same region
+    }
   }
-  else
+  if (!made.Part)
   {
-    judge(made.Data->Surface(), made.Data->Neighbours(), region);
+    made.Part = std::make_shared<JudgedPart>(made.Data->Surface(), this->RegionOf(stage), ThreadsOnly());
   }
+  made.Part->place(made.Data->Surface());
+  return *made.Part;
 }
 
 int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
-  this->JudgeSurface(made, stage);
+  if (!made.Folds)
+  {
+    const JudgedPart& part = this->PartOf(stage);
+    made.Folds = foldedEdges(part.mesh, part.adjacency, part.region, ThreadsOnly());
+  }
   return *made.Folds;
 }
 
 const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
-  this->JudgeSurface(made, stage);
+  if (!made.Rough)
+  {
+    const JudgedPart& part = this->PartOf(stage);
+    made.Rough = roughness(part.mesh, part.adjacency, part.region, ThreadsOnly());
+  }
   return *made.Rough;
 }
 
@@ -165,7 +148,7 @@ Judgement vtkOversketchOneStroke::Pipeline::Judged(const char* stage, int foldsB
   {
     made.OutlineMissed = outlineError(this->OutlineOf(stage), this->Contours(stage));
   }
-  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore, this->Rough(stage) };
+  return { *made.OutlineMissed, this->Folds(stage) - foldsBefore };
 }
 
 StrokeEffect vtkOversketchOneStroke::Pipeline::EffectOf(const char* before, const char* stage)
@@ -174,7 +157,7 @@ StrokeEffect vtkOversketchOneStroke::Pipeline::EffectOf(const char* before, cons
   StrokeEffect effect;
   effect.outline = judged.outline;
   effect.folds = judged.folds;
-  effect.after = judged.roughness;
+  effect.after = this->Rough(stage);
   effect.before = this->Rough("RegionBorder");
   effect.remeshed = this->Self->Remeshed;
   const oversketch::View view = ViewOf(this->Stroke);

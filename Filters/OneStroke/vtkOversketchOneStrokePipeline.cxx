@@ -218,9 +218,9 @@ void vtkOversketchOneStroke::Pipeline::RunCurves()
 
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
-  return wantsRemeshing(this->Made("RegionBorder").Data->Surface(),
-    this->Made(this->Deformation).Data->Surface(),
-    this->RegionOf("RegionBorder"));
+  const oversketch::Mesh before = this->PartOf("RegionBorder").mesh;
+  const JudgedPart& part = this->PartOf(this->Deformation);
+  return wantsRemeshing(before, part.mesh, part.region);
 }
 
 const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
@@ -269,6 +269,8 @@ bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
   const int folds = this->Folds("RegionBorder");
   Judgement restored = this->Judged("Restore", folds), plain = this->Judged(this->Deformation, folds);
+  restored.roughness = this->Rough("Restore");
+  plain.roughness = this->Rough(this->Deformation);
   restored.back = this->NewBack("Restore");
   plain.back = restored.back > 0.0 ? this->NewBack(this->Deformation) : 0.0;
   if (!restored.keptAgainst(plain))

@@ -56,6 +56,7 @@ struct vtkOversketchOneStroke::Pipeline
   // of the better deformation.
   const char* Corrected(const char* before, const char* deform, const char* correction, const char* again);
   const oversketch::StrokeOutline& OutlineOf(const char* stage);
+  // By outline and folds.
   oversketch::Judgement Judged(const char* stage, int foldsBefore);
   int Folds(const char* stage);
   const oversketch::Roughness& Rough(const char* stage);
@@ -87,6 +88,7 @@ struct vtkOversketchOneStroke::Pipeline
   struct MadeMesh
   {
     std::shared_ptr<const oversketch::MeshData> Data;
+    std::shared_ptr<oversketch::JudgedPart> Part; // one for all that have the same triangles
     std::optional<int> Folds;
     std::optional<oversketch::StrokeOutline> Outline;
     std::optional<oversketch::OutlineError> OutlineMissed;
@@ -98,8 +100,8 @@ struct vtkOversketchOneStroke::Pipeline
   MadeMesh& Made(const char* stage);
   // One byte per point of the mesh that a step made.
   std::vector<char> RegionOf(const char* stage);
-  // Its folds and its roughness.
-  void JudgeSurface(MadeMesh& made, const char* stage);
+  // What its folds and its roughness are told by; until the next call.
+  const oversketch::JudgedPart& PartOf(const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;
 
   vtkOversketchOneStroke* Self;

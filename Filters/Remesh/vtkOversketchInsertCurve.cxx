@@ -184,7 +184,8 @@ std::vector<MeshCurve> readStored(vtkPolyData* stored, int vertexCount)
 
 void writeMesh(vtkPolyData* input, const InsertedCurves& result, vtkPolyData* output)
 {
-  const auto mixed = [&](vtkIdType point) { return result.origins[static_cast<std::size_t>(point)]; };
+  const auto mixed = [&](vtkIdType point) -> const Mix&
+  { return result.origins[static_cast<std::size_t>(point)]; };
   WriteCarried(result.mesh, { result.pointSources, mixed, "Region" }, result.triangleSources, input, output);
 }
 

@@ -60,7 +60,8 @@ std::vector<RunOnMesh> readRuns(vtkPolyData* curves, int triangles, const std::s
 
 void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* output)
 {
-  const auto mixed = [&](vtkIdType point) { return refined.origins[static_cast<std::size_t>(point)]; };
+  const auto mixed = [&](vtkIdType point) -> const Mix&
+  { return refined.origins[static_cast<std::size_t>(point)]; };
   WriteCarried(
     refined.mesh, { refined.pointSources, mixed, "Region" }, refined.triangleSources, input, output);
   output->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("EdgeLength", refined.sizes));

@@ -71,13 +71,16 @@ const char* const handlesRemedy = "take them from vtkOversketchTargets";
 // A point is a mix of the corners of the triangle that it lies in.
 CarriedPoints PointsOf(const RemeshResult& result, vtkCellArray* triangles)
 {
-  const auto corners = [&result, triangles, ids = vtkSmartPointer<vtkIdList>::New()](vtkIdType point)
+  const auto corners = [&result, triangles, ids = vtkSmartPointer<vtkIdList>::New(), mix = Mix(3)](
+                         vtkIdType point) mutable -> const Mix&
   {
     const SurfacePoint place = result.place(static_cast<int>(point));
     triangles->GetCellAtId(place.triangle, ids);
-    const auto corner = [&](int k)
-    { return std::make_pair(static_cast<int>(ids->GetId(k)), place.weights[k]); };
-    return Mix{ corner(0), corner(1), corner(2) };
+    for (int k = 0; k < 3; ++k)
+    {
+      mix[k] = { static_cast<int>(ids->GetId(k)), place.weights[k] };
+    }
+    return mix;
   };
   return { result.pointSource, corners, "Region" };
 }

@@ -101,13 +101,18 @@ void WriteRetriangulated(const Retriangulated& result, vtkPolyData* mesh, vtkPol
   const auto mixOf = [&](vtkIdType point) -> const Mix&
   { return result.mixes[numbers[static_cast<std::size_t>(point)]]; };
   vtkDataArray* labels = mesh->GetPointData()->GetArray(regionName);
-  const auto inside = [&](vtkIdType point)
+  const auto inside = [&, one = Mix(1)](vtkIdType point) mutable -> const Mix&
   {
     const Mix& mix = mixOf(point);
     const auto found = std::find_if(mix.begin(),
       mix.end(),
       [labels](const auto& entry) { return labels->GetComponent(entry.first, 0) == EditLabel::Inside; });
-    return found != mix.end() ? Mix{ *found } : mix;
+    if (found == mix.end())
+    {
+      return mix;
+    }
+    one[0] = *found;
+    return one;
   };
   WriteCarried(
     result.mesh, { result.pointSource, mixOf, regionName, inside }, result.triangleSource, mesh, output);

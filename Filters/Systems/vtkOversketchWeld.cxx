@@ -140,7 +140,10 @@ public:
       int corner;
       double weight;
     };
-    std::vector<Share> shares{ { triangle, corner, 1.0 } }, earlier;
+    std::vector<Share> shares, earlier;
+    shares.reserve(9); // of two remeshings
+    earlier.reserve(9);
+    shares.push_back({ triangle, corner, 1.0 });
     for (auto sources = this->Chain.rbegin(); sources != this->Chain.rend(); ++sources)
     {
       earlier.clear();
@@ -158,6 +161,7 @@ public:
       shares.swap(earlier);
     }
     Mix mix;
+    mix.reserve(shares.size());
     for (const Share& share : shares)
     {
       mix.emplace_back(this->PointAt(share.triangle, share.corner), share.weight);
@@ -180,32 +184,39 @@ class Weld::Split
 {
 public:
   Split(const Weld& weld, const Origins& origins, const MeshData& result)
-    : Triangles(result.Surface().triangles)
   {
-    const std::vector<int> loose = weld.LoosePoints();
-    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), loose)
-                          : this->SplitVertices(origins, result.Surface(), loose);
+    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), weld)
+                          : this->SplitVertices(origins, result.Surface(), weld.LoosePoints());
   }
 
-  std::vector<Triangle> Triangles;
-  std::vector<int> Vertices; // per point, in the last remeshing
-  std::vector<int> Whole;    // per point, the point of the mesh that it is; -1 for a mix
+  std::vector<Triangle> Triangles; // empty where nothing was split
+  std::vector<int> Vertices;       // per point, in the last remeshing
+  std::vector<int> Whole;          // per point, the point of the mesh that it is; -1 for a mix
+  // What a point is that is no point of the mesh.
+  const Mix& MixedOf(vtkIdType point) const
+  {
+    return this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];
+  }
   Mix Of(vtkIdType point) const
   {
     const int whole = this->Whole[static_cast<std::size_t>(point)];
-    return whole >= 0 ? Mix{ { whole, 1.0 } }
-                      : this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];
+    return whole >= 0 ? Mix{ { whole, 1.0 } } : this->MixedOf(point);
   }
 
 private:
   // Where nothing was split, every vertex is a point, and one corner speaks for all.
-  void TakeVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
+  void TakeVertices(const Origins& origins, const Mesh& mesh, const Weld& weld)
   {
     std::vector<int> corners(mesh.points.size(), -1); // the first of each vertex, 3 t + k
-    for (int h = 3 * mesh.triangleCount() - 1; h >= 0; --h)
+    for (int t = mesh.triangleCount() - 1; t >= 0; --t)
     {
-      corners[mesh.triangles[h / 3][h % 3]] = h;
+      for (int k = 2; k >= 0; --k)
+      {
+        corners[mesh.triangles[t][k]] = 3 * t + k;
+      }
     }
+    const bool anyLoose = std::find(corners.begin(), corners.end(), -1) != corners.end();
+    const std::vector<int> loose = anyLoose ? weld.LoosePoints() : std::vector<int>();
     this->Vertices.resize(mesh.points.size());
     std::iota(this->Vertices.begin(), this->Vertices.end(), 0);
     this->Whole.resize(mesh.points.size());
@@ -250,6 +261,7 @@ private:
   void SplitVertices(const Origins& origins, const Mesh& mesh, const std::vector<int>& loose)
   {
     std::size_t nextLoose = 0;
+    this->Triangles = mesh.triangles;
     const Lists around = trianglesAround(mesh);
     for (int v = 0; v < mesh.vertexCount(); ++v)
     {
@@ -315,18 +327,15 @@ private:
 Weld::Weld(vtkPolyData* mesh)
 {
   RequirePolygonsOnly(mesh);
-  std::vector<Vector3> positions(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-  {
-    mesh->GetPoint(static_cast<vtkIdType>(i), positions[i].data());
-  }
-  this->Vertices = weldPoints(positions);
+  this->Geometry->SetPoints(mesh->GetPoints());
+  this->Geometry->SetPolys(mesh->GetPolys());
+  const std::shared_ptr<const MeshData> split = SharedMesh(this->Geometry);
+  this->Data = split;
+  this->Vertices = weldPoints(split->Surface().points);
   const bool welded = !this->Vertices.empty();
-  Mesh split;
   if (welded)
   {
-    split = MeshOf(mesh);
-    const Mesh surface = weldedMesh(split, this->Vertices);
+    const Mesh surface = weldedMesh(split->Surface(), this->Vertices);
     auto points = NewPoints(mesh, surface.vertexCount());
     for (int v = 0; v < surface.vertexCount(); ++v)
     {
@@ -334,13 +343,8 @@ Weld::Weld(vtkPolyData* mesh)
     }
     this->Geometry->SetPoints(points);
     this->Geometry->SetPolys(CellsOf(surface.triangles));
+    this->Data = SharedMesh(this->Geometry);
   }
-  else
-  {
-    this->Geometry->SetPoints(mesh->GetPoints());
-    this->Geometry->SetPolys(mesh->GetPolys());
-  }
-  this->Data = SharedMesh(this->Geometry);
   const auto cells = NewArray<vtkIdTypeArray>("OriginalCell", 1, mesh->GetNumberOfPolys());
   std::iota(cells->GetPointer(0), cells->GetPointer(0) + mesh->GetNumberOfPolys(), vtkIdType(0));
   this->Geometry->GetCellData()->AddArray(cells);
@@ -362,7 +366,7 @@ Weld::Weld(vtkPolyData* mesh)
     attributeClasses(this->Vertices, { static_cast<int>(components.size()), [&components](int point, int k) {
                                         return components[k].first->GetComponent(point, components[k].second);
                                       } });
-  this->Corners = std::move(split.triangles);
+  this->Corners = split->Surface().triangles;
   const Charts charts =
     findCharts(this->Data->Surface(), this->Data->Neighbours(), this->Corners, this->Classes);
   if (charts.count > 1)
@@ -459,7 +463,8 @@ void Weld::CarryPoints(vtkPolyData* mesh,
       }
     });
   output->SetPoints(points);
-  const CarriedPoints carried{ split.Whole, [&split](vtkIdType point) { return split.Of(point); } };
+  const CarriedPoints carried{ split.Whole,
+    [&split](vtkIdType point) -> const Mix& { return split.MixedOf(point); } };
   CarryArrays(from,
     output->GetPointData(),
     [&](vtkAbstractArray* array, bool)
@@ -478,6 +483,10 @@ void Weld::CarryNormals(vtkPolyData* mesh,
   const auto count = static_cast<vtkIdType>(split.Whole.size());
   const Mesh& surface = this->Data->Surface();
   vtkDataArray* normals = mesh->GetPointData()->GetNormals() ? output->GetPointData()->GetNormals() : nullptr;
+  if (!normals && !output->GetCellData()->GetNormals())
+  {
+    return;
+  }
   const std::vector<Vector3> none;
   const std::vector<Vector3>& before = normals ? this->Data->Normals() : none;
   const std::vector<Vector3>& now = normals ? result.Normals() : none;
@@ -520,7 +529,7 @@ std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   vtkCellData* from = mesh->GetCellData();
   vtkDataArray* cells =
     RequireArray(last->GetCellData(), "OriginalCell", 1, last->GetNumberOfPolys(), "remeshed mesh", remedy);
-  std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? split.Triangles.size() : 0);
+  std::vector<vtkIdType> sources(from->GetNumberOfArrays() > 0 ? result->Surface().triangles.size() : 0);
   for (std::size_t t = 0; t < sources.size(); ++t)
   {
     sources[t] = static_cast<vtkIdType>(cells->GetComponent(static_cast<vtkIdType>(t), 0));

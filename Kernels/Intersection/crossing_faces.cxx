@@ -1,12 +1,12 @@
 #include "Intersection/crossing_faces.h"
 
 #include "Intersection/exact_triangles.h"
-#include "Mesh/weld.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <limits>
 
 namespace oversketch
 {
@@ -21,12 +21,9 @@ bool meet(const Box& a, const Box& b)
   return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
 }
 
-// A face as it stands in the tree.
 struct Face
 {
   int id;
-  bool changed;
-  Triangle vertices; // welded
   Box box;
 };
 
@@ -40,7 +37,6 @@ public:
     Box box;
     int begin, end; // faces
     int second;     // -1 in a leaf
-    bool changed;
   };
 
   explicit FaceTree(std::vector<Face>& faces)
@@ -51,8 +47,7 @@ public:
   }
   const std::vector<Node>& nodes() const { return this->Nodes; }
 
-  // Calls visit(other) for the leaf and those after it whose boxes meet its own; where neither holds a
-  // changed face for none.
+  // Calls visit(other) for the leaf and those before it whose boxes meet its own.
   template <class Visit>
   void leavesAt(const Node& leaf, const Visit& visit) const
   {
@@ -62,7 +57,7 @@ public:
     {
       const int n = stack[--size];
       const Node& node = this->Nodes[n];
-      if (node.end <= leaf.begin || !(leaf.changed || node.changed) || !meet(node.box, leaf.box))
+      if (node.begin >= leaf.end || !meet(node.box, leaf.box))
       {
         continue;
       }
@@ -82,12 +77,11 @@ private:
   void divide(int begin, int end)
   {
     const int n = static_cast<int>(this->Nodes.size());
-    Node node{ {}, begin, end, -1, false };
+    Node node{ {}, begin, end, -1 };
     Box centers;
     for (int i = begin; i < end; ++i)
     {
       node.box.extend(this->Faces[i].box);
-      node.changed |= this->Faces[i].changed;
       centers.extend(this->Faces[i].box.center());
     }
     this->Nodes.push_back(node);
@@ -116,15 +110,22 @@ private:
   std::vector<Node> Nodes;
 };
 
-// Whether two faces meet elsewhere than in a common corner.
-bool cross(const Mesh& mesh, const Face& a, const Face& b)
+Corners cornersOf(const Mesh& mesh, int face, int first = 0)
 {
+  const Triangle& t = mesh.triangles[face];
+  return { mesh.points[t[first]], mesh.points[t[(first + 1) % 3]], mesh.points[t[(first + 2) % 3]] };
+}
+
+// Whether two faces meet elsewhere than in a common corner.
+bool cross(const Mesh& mesh, int a, int b)
+{
+  const Corners ofA = cornersOf(mesh, a), ofB = cornersOf(mesh, b);
   int common = 0, atA = 0, atB = 0;
   for (int i = 0; i < 3; ++i)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (a.vertices[i] == b.vertices[k])
+      if (ofA[i] == ofB[k])
       {
         ++common;
         atA = i;
@@ -132,46 +133,16 @@ bool cross(const Mesh& mesh, const Face& a, const Face& b)
       }
     }
   }
-  const auto cornersFrom = [&mesh](const Face& face, int first) -> Corners
-  {
-    const Triangle& t = mesh.triangles[face.id];
-    return { mesh.points[t[first]], mesh.points[t[(first + 1) % 3]], mesh.points[t[(first + 2) % 3]] };
-  };
-  return common < 2 && (common ? fansMeet : trianglesMeet)(cornersFrom(a, atA), cornersFrom(b, atB));
+  return common == 0 ? trianglesMeet(ofA, ofB)
+                     : common == 1 && fansMeet(cornersOf(mesh, a, atA), cornersOf(mesh, b, atB));
 }
 
-Box boxOf(const Mesh& mesh, const Triangle& t)
+Box boxOf(const Mesh& mesh, int face)
 {
+  const Triangle& t = mesh.triangles[face];
   Box box(mesh.points[t[0]]);
   box.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
   return box;
-}
-
-// Corners at equal places become one.
-void weld(const Mesh& mesh, std::vector<Face>& faces)
-{
-  std::vector<int> number(mesh.points.size(), -1);
-  std::vector<Vector3> points;
-  for (Face& face : faces)
-  {
-    for (int& v : face.vertices)
-    {
-      if (number[v] < 0)
-      {
-        number[v] = static_cast<int>(points.size());
-        points.push_back(mesh.points[v]);
-      }
-      v = number[v];
-    }
-  }
-  const std::vector<int> vertices = weldPoints(points);
-  for (Face& face : faces)
-  {
-    for (int& v : face.vertices)
-    {
-      v = vertices.empty() ? v : vertices[v];
-    }
-  }
 }
 
 // The axes along which edges are longest and shortest: in boxes along them the needles of a stretched model
@@ -193,54 +164,18 @@ Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces)
                                          : Eigen::Matrix3d::Identity();
 }
 
-// Puts each face's box along the axes, larger by what rounding may take from it.
-void alignBoxes(const Mesh& mesh, std::vector<Face>& faces)
+// A face's box along the axes, larger by what rounding may take from it.
+Box boxAlong(const Eigen::Matrix3d& axes, const Mesh& mesh, int face)
 {
-  Box whole;
-  for (const Face& face : faces)
+  Box box;
+  for (const int v : mesh.triangles[face])
   {
-    whole.extend(face.box);
+    const Vector3 corner = axes * mesh.points[v];
+    const double size = mesh.points[v].cwiseAbs().maxCoeff();
+    const Vector3 error = Vector3::Constant(4e-15 * size + std::numeric_limits<double>::min());
+    box.extend(corner - error).extend(corner + error);
   }
-  const double size = whole.min().cwiseAbs().cwiseMax(whole.max().cwiseAbs()).maxCoeff();
-  const Eigen::Matrix3d axes = axesOf(mesh, faces);
-  const Vector3 error = Vector3::Constant(4e-15 * size);
-  for (Face& face : faces)
-  {
-    face.box.setEmpty();
-    for (const int v : mesh.triangles[face.id])
-    {
-      const Vector3 corner = axes * mesh.points[v];
-      face.box.extend(corner - error).extend(corner + error);
-    }
-  }
-}
-
-// The faces that can be in a pair: with area, and near a changed one.
-std::vector<Face> facesToTry(const Mesh& mesh, const std::vector<char>& changed)
-{
-  const auto isChanged = [&changed](int f) { return changed.empty() || changed[f] != 0; };
-  Box reach;
-  for (int f = 0; f < mesh.triangleCount(); ++f)
-  {
-    const Box box = isChanged(f) ? boxOf(mesh, mesh.triangles[f]) : Box();
-    if (box.min().allFinite() && box.max().allFinite())
-    {
-      reach.extend(box);
-    }
-  }
-  std::vector<Face> faces;
-  for (int f = 0; f < mesh.triangleCount(); ++f)
-  {
-    const Triangle& t = mesh.triangles[f];
-    const Box box = boxOf(mesh, t);
-    if (meet(box, reach) && hasExactArea({ mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] }))
-    {
-      faces.push_back({ f, isChanged(f), t, box });
-    }
-  }
-  alignBoxes(mesh, faces);
-  weld(mesh, faces);
-  return faces;
+  return box;
 }
 
 } // namespace
@@ -249,38 +184,70 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
   const std::vector<char>& changed,
   const Context& context)
 {
-  std::vector<Face> faces = facesToTry(mesh, changed);
+  const auto isChanged = [&changed](int f) { return changed.empty() || changed[f] != 0; };
+  std::vector<Face> faces; // changed
+  Box reach;
+  for (int f = 0; f < mesh.triangleCount(); ++f)
+  {
+    if (isChanged(f) && hasExactArea(cornersOf(mesh, f)))
+    {
+      faces.push_back({ f, {} });
+      reach.extend(boxOf(mesh, f));
+    }
+  }
   if (faces.empty())
   {
     return {};
   }
+  const Eigen::Matrix3d axes = axesOf(mesh, faces);
+  const int count = static_cast<int>(faces.size());
+  context.each(count, [&](int i) { faces[i].box = boxAlong(axes, mesh, faces[i].id); });
   const FaceTree tree(faces);
   context.checkpoint(0.2);
-  // Each pair is met once, from the leaf of the one that comes first.
-  std::vector<std::vector<FacePair>> found(tree.nodes().size());
-  context.eachUntilCancelled(static_cast<int>(tree.nodes().size()),
-    [&](int n)
+  // Each pair is met once, from the leaf of the one that comes last. An unchanged face is a leaf behind all.
+  const auto findPairs = [&](const FaceTree::Node& leaf, const Face* own, std::vector<FacePair>& pairs)
+  {
+    const auto visit = [&](const FaceTree::Node& other)
     {
-      const FaceTree::Node& leaf = tree.nodes()[n];
-      if (leaf.second >= 0)
+      for (int i = leaf.begin; i < leaf.end; ++i)
       {
-        return;
-      }
-      const auto visit = [&](const FaceTree::Node& other)
-      {
-        for (int i = leaf.begin; i < leaf.end; ++i)
+        for (int k = other.begin; k < std::min(i, other.end); ++k)
         {
-          for (int k = std::max(i + 1, other.begin); k < other.end; ++k)
+          const Face &a = own[i - leaf.begin], &b = faces[k];
+          if (meet(a.box, b.box) && cross(mesh, a.id, b.id))
           {
-            const Face &a = faces[i], &b = faces[k];
-            if ((a.changed || b.changed) && meet(a.box, b.box) && cross(mesh, a, b))
-            {
-              found[n].push_back({ std::min(a.id, b.id), std::max(a.id, b.id) });
-            }
+            pairs.push_back({ std::min(a.id, b.id), std::max(a.id, b.id) });
           }
         }
-      };
-      tree.leavesAt(leaf, visit);
+      }
+    };
+    tree.leavesAt(leaf, visit);
+  };
+  constexpr int ofPart = 1024; // unchanged faces that a thread takes at a time
+  const int nodes = static_cast<int>(tree.nodes().size());
+  const int parts = changed.empty() ? 0 : (mesh.triangleCount() + ofPart - 1) / ofPart;
+  std::vector<std::vector<FacePair>> found(static_cast<std::size_t>(nodes + parts));
+  context.eachUntilCancelled(nodes + parts,
+    [&](int n)
+    {
+      if (n < nodes)
+      {
+        const FaceTree::Node& node = tree.nodes()[n];
+        if (node.second < 0)
+        {
+          findPairs(node, faces.data() + node.begin, found[n]);
+        }
+        return;
+      }
+      const int first = (n - nodes) * ofPart, end = std::min(first + ofPart, mesh.triangleCount());
+      for (int f = first; f < end; ++f)
+      {
+        if (!isChanged(f) && meet(boxOf(mesh, f), reach) && hasExactArea(cornersOf(mesh, f)))
+        {
+          const Face face{ f, boxAlong(axes, mesh, f) };
+          findPairs({ face.box, count, count + 1, -1 }, &face, found[n]);
+        }
+      }
     });
   context.checkpoint(1.0);
   std::vector<FacePair> pairs;

@@ -310,6 +310,17 @@ TEST(CrossingFaces, asByTryingAllPairs)
     const Mesh mesh = randomMesh(random, 4 + run % 40, 60, 2 + run % 12);
     const Pairs pairs = slowCrossings(mesh);
     ASSERT_EQ(crossings(mesh), pairs) << run;
+    std::vector<char> changed(mesh.triangles.size());
+    for (std::size_t f = 0; f < changed.size(); ++f)
+    {
+      changed[f] = (f + run) % 3 == 0;
+    }
+    Pairs some;
+    std::copy_if(pairs.begin(),
+      pairs.end(),
+      std::back_inserter(some),
+      [&](const FacePair& pair) { return changed[pair[0]] || changed[pair[1]]; });
+    ASSERT_EQ(crossingFaces(mesh, changed), some) << run;
     found += pairs.size();
     tried += mesh.triangles.size() * (mesh.triangles.size() - 1) / 2;
   }

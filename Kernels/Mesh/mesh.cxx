@@ -68,9 +68,17 @@ struct Sides
   {
     this->all.reserve(around.offsets[end] - around.offsets[begin]); // half of two a triangle, or so
     this->counts.reserve(end - begin);
+    std::vector<Side> sides; // of one vertex, and room for one more
     for (int v = begin; v < end; ++v)
     {
-      const std::size_t first = this->all.size();
+      sides.resize(std::max(sides.size(), static_cast<std::size_t>(2 * around.size(v) + 1)));
+      Side *const first = sides.data(), *last = first;
+      // Without a branch: each would go wrong every other time.
+      const auto add = [v, &last](int to, int halfEdge)
+      {
+        *last = static_cast<Side>(to) << 32 | static_cast<std::uint32_t>(halfEdge);
+        last += to > v ? 1 : 0;
+      };
       for (const int t : around[v])
       {
         const Triangle& c = mesh.triangles[t];
@@ -78,25 +86,18 @@ struct Sides
         {
           continue;
         }
-        const int k = c[0] == v ? 0 : c[1] == v ? 1 : 2, before = k == 0 ? 2 : k - 1;
-        this->add(v, c[k == 2 ? 0 : k + 1], 3 * t + k);
-        this->add(v, c[before], 3 * t + before);
+        constexpr int next[3] = { 1, 2, 0 };
+        const int k = (c[1] == v ? 1 : 0) + (c[2] == v ? 2 : 0), before = next[next[k]];
+        add(c[next[k]], 3 * t + k);
+        add(c[before], 3 * t + before);
       }
-      sortSides(this->all.data() + first, this->all.data() + this->all.size());
-      this->counts.push_back(static_cast<int>(this->all.size() - first));
-      for (std::size_t i = first; i < this->all.size(); ++i)
+      sortSides(first, last);
+      this->counts.push_back(static_cast<int>(last - first));
+      for (const Side* side = first; side != last; ++side)
       {
-        this->edges += i == first || endOf(this->all[i]) != endOf(this->all[i - 1]) ? 1 : 0;
+        this->edges += side == first || endOf(*side) != endOf(side[-1]) ? 1 : 0;
       }
-    }
-  }
-
-private:
-  void add(int v, int end, int halfEdge)
-  {
-    if (end > v)
-    {
-      this->all.push_back(static_cast<Side>(end) << 32 | static_cast<std::uint32_t>(halfEdge));
+      this->all.insert(this->all.end(), first, last);
     }
   }
 };

@@ -10,6 +10,7 @@ Mix normalisedMix(Mix mix)
 {
   std::sort(mix.begin(), mix.end());
   Mix merged;
+  merged.reserve(mix.size());
   for (const auto& entry : mix)
   {
     if (!merged.empty() && merged.back().first == entry.first)

@@ -36,14 +36,16 @@ Roughness roughness(const Mesh& mesh,
     double angle = -1.0; // degrees, -1: a triangle has no area
     double length = 0.0;
   };
+  std::vector<Vector3> normals(mesh.triangles.size());
+  context.each(mesh.triangleCount(), [&](int t) { normals[t] = facetNormal(mesh, t); });
   std::vector<Fold> folds(edges.size());
   context.each(static_cast<int>(edges.size()),
     [&](int i)
     {
       const MeshEdge& edge = adjacency.edges[edges[i]];
       const int* sides = adjacency.trianglesBegin(edges[i]);
-      const Vector3 first = facetNormal(mesh, sides[0]);
-      Vector3 second = facetNormal(mesh, sides[1]);
+      const Vector3& first = normals[sides[0]];
+      Vector3 second = normals[sides[1]];
       if (first.isZero(0.0) || second.isZero(0.0))
       {
         return;

@@ -116,8 +116,9 @@ private:
 } // namespace
 
 PicturePoints::PicturePoints(const Mesh& mesh, const View& view, const Context& context)
-  : points(mesh.points.size(), Vector2::Zero())
-  , nearness(mesh.points.size(), 1.0)
+  : model(mesh)
+  , from(view)
+  , points(mesh.points.size())
   , seen(mesh.points.size(), 0)
 {
   context.each(mesh.vertexCount(),
@@ -125,9 +126,7 @@ PicturePoints::PicturePoints(const Mesh& mesh, const View& view, const Context& 
     {
       if (view.inFront(mesh.points[v]))
       {
-        const Vector3 display = view.toDisplay(mesh.points[v]);
-        this->points[v] = display.head<2>();
-        this->nearness[v] = view.perspective() ? -1.0 / display[2] : 1.0;
+        this->points[v] = view.toDisplay(mesh.points[v]).head<2>();
         this->seen[v] = this->points[v].allFinite();
       }
     });
@@ -139,18 +138,24 @@ MeshPicture::MeshPicture(const Mesh& mesh,
   const Context& context)
   : PicturePoints(mesh, view, context)
 {
-  const auto outside = [&window](const Vector2& a, const Vector2& b, const Vector2& c)
-  {
-    const Vector2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-    return high[0] < window.x - 1 || low[0] > window.x + window.width + 1 || high[1] < window.y - 1 ||
-           low[1] > window.y + window.height + 1;
-  };
+  constexpr int unseen = 16;
+  std::vector<char> beyond(mesh.points.size()); // unseen, or the sides of the window that a point lies beyond
+  context.each(mesh.vertexCount(),
+    [&](int v)
+    {
+      const Vector2& p = this->points[v];
+      beyond[v] = static_cast<char>(
+        !this->seen[v] ? unseen
+                       : int(p[0] < window.x - 1) + 2 * int(p[0] > window.x + window.width + 1) +
+                           4 * int(p[1] < window.y - 1) + 8 * int(p[1] > window.y + window.height + 1));
+    });
   std::vector<std::vector<Triangle>> parts(partCount(mesh));
   eachTriangle(mesh,
     context,
     [&](int part, const Triangle& t)
     {
-      if (this->sees(t) && !outside(this->points[t[0]], this->points[t[1]], this->points[t[2]]))
+      const char a = beyond[t[0]], b = beyond[t[1]], c = beyond[t[2]];
+      if ((a | b | c) < unseen && (a & b & c) == 0)
       {
         parts[part].push_back(t);
       }
@@ -169,7 +174,7 @@ MeshPicture::MeshPicture(const Mesh& mesh,
 
 Binding CoveredEnd::binding(const PicturePoints& picture) const
 {
-  const double w0 = (1.0 - this->t) * picture.nearness[this->v0], w1 = this->t * picture.nearness[this->v1];
+  const double w0 = (1.0 - this->t) * picture.nearness(this->v0), w1 = this->t * picture.nearness(this->v1);
   return Binding::edge(this->v0, this->v1, w0 / (w0 + w1));
 }
 

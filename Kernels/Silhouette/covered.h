@@ -14,12 +14,18 @@ namespace oversketch
 // The vertices seen in the image plane.
 struct PicturePoints
 {
-  std::vector<Vector2> points;
-  std::vector<double> nearness; // per point: its weight on screen, 1 orthographic, 1 / distance perspective
-  std::vector<char> seen;       // per point: not behind the eye
+  const Mesh& model;
+  const View& from;
+  std::vector<Vector2> points; // those that are seen
+  std::vector<char> seen;      // per point: not behind the eye
 
   PicturePoints(const Mesh& mesh, const View& view, const Context& context);
   bool sees(const Triangle& t) const { return this->seen[t[0]] && this->seen[t[1]] && this->seen[t[2]]; }
+  // A point's weight on screen: 1 orthographic, 1 / distance perspective.
+  double nearness(int v) const
+  {
+    return this->from.perspective() ? -1.0 / this->from.toDisplay(this->model.points[v])[2] : 1.0;
+  }
 };
 
 // Triangles seen in the image plane, those left out that reach behind the eye or lie outside the window.

@@ -48,17 +48,21 @@ Polyline convexHull(Polyline points)
   return hull;
 }
 
+// Of a point that is no farther than strayLimit any distance up to that.
 double distanceToHull(const Vector2& p, const Polyline& hull)
 {
+  const auto after = [&hull](std::size_t i) -> const Vector2& { return hull[(i + 1) % hull.size()]; };
   bool inside = hull.size() > 2;
-  double nearest = (p - hull[0]).norm();
-  for (std::size_t i = 0; i < hull.size(); ++i)
+  for (std::size_t i = 0; inside && i < hull.size(); ++i)
   {
-    const Vector2 &a = hull[i], &b = hull[(i + 1) % hull.size()];
-    inside = inside && cross(b - a, p - a) >= 0.0;
-    nearest = std::min(nearest, distanceToSegment(p, a, b));
+    inside = cross(after(i) - hull[i], p - hull[i]) >= 0.0;
   }
-  return inside ? 0.0 : nearest;
+  double nearest = inside ? 0.0 : (p - hull[0]).norm();
+  for (std::size_t i = 0; nearest > StrokeEffect::strayLimit && i < hull.size(); ++i)
+  {
+    nearest = std::min(nearest, distanceToSegment(p, hull[i], after(i)));
+  }
+  return nearest;
 }
 
 void measureTriangles(const Mesh& before,
@@ -214,20 +218,22 @@ void measureMovement(const Mesh& before,
   {
     double movement = 0.0, distance = 0.0; // px; from the hull
   };
-  std::vector<Step> steps(before.points.size());
-  context.each(before.vertexCount(),
-    [&](int v)
+  const std::vector<int> chosen = marked(region);
+  std::vector<Step> steps(chosen.size());
+  context.each(static_cast<int>(chosen.size()),
+    [&](int i)
     {
-      if (!region[v] || !view.inFront(before.points[v]) || !view.inFront(after.points[v]))
+      const int v = chosen[i];
+      if (!view.inFront(before.points[v]) || !view.inFront(after.points[v]))
       {
         return;
       }
       const Vector2 was = view.toDisplay(before.points[v]).head<2>();
       const Vector2 is = view.toDisplay(after.points[v]).head<2>();
       constexpr double seen = 2.5; // px
-      steps[v].movement = (is - was).norm();
-      steps[v].distance =
-        steps[v].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
+      steps[i].movement = (is - was).norm();
+      steps[i].distance =
+        steps[i].movement > seen ? std::max(distanceToHull(was, hull), distanceToHull(is, hull)) : 0.0;
     });
   for (const Step& step : steps)
   {

@@ -15,6 +15,13 @@ namespace
 constexpr double mostPlaces = 400.0; // along the picture's longer side
 constexpr int rowsOfBand = 8;        // that a thread takes at a time
 
+// Columns and rows of places: the first ones, and those past the last.
+struct FacingPlaces
+{
+  std::array<short, 2> from{}, to{};
+  bool empty() const { return this->from[0] >= this->to[0] || this->from[1] >= this->to[1]; }
+};
+
 // The places of a picture that are looked at, row by row, and what lies in front there.
 struct FacingGrid
 {
@@ -29,11 +36,30 @@ struct FacingGrid
   }
   double at(int i) const { return (i + 0.5) * this->step; } // px
   // The first place at or beyond a position.
-  int from(double px, int count) const
+  short from(double px, int count) const
   {
-    return static_cast<int>(std::clamp(std::ceil(px / this->step - 0.5), 0.0, static_cast<double>(count)));
+    return static_cast<short>(std::clamp(std::ceil(px / this->step - 0.5), 0.0, static_cast<double>(count)));
+  }
+  // From the first ones at or beyond a point to those beyond it.
+  FacingPlaces placesAt(const Vector3& p) const
+  {
+    return { { this->from(p[0], this->columns), this->from(p[1], this->rows) },
+      { this->from(std::nextafter(p[0], 1e300), this->columns),
+        this->from(std::nextafter(p[1], 1e300), this->rows) } };
   }
 };
+
+// The places that a triangle may cover, by those at its corners.
+FacingPlaces facingPlacesOf(const FacingPlaces& a, const FacingPlaces& b, const FacingPlaces& c)
+{
+  FacingPlaces all;
+  for (int k = 0; k < 2; ++k)
+  {
+    all.from[k] = std::min({ a.from[k], b.from[k], c.from[k] });
+    all.to[k] = std::max({ a.to[k], b.to[k], c.to[k] });
+  }
+  return all;
+}
 
 double acrossFrom(const Vector3& a, const Vector3& b, double x, double y)
 {
@@ -57,22 +83,18 @@ public:
   {
   }
 
-  void draw(const Vector3& a, const Vector3& b, const Vector3& c)
+  void draw(const Vector3& a, const Vector3& b, const Vector3& c, const FacingPlaces& places)
   {
-    const auto [low, high] = std::minmax({ a[1], b[1], c[1] });
-    const int begin = std::max(this->Grid.from(low, this->Grid.rows), this->First);
-    const int end = std::min(this->Grid.from(std::nextafter(high, 1e300), this->Grid.rows), this->Last);
+    const int begin = std::max<int>(places.from[1], this->First);
+    const int end = std::min<int>(places.to[1], this->Last);
     const double area = acrossFrom(a, b, c[0], c[1]);
     if (begin >= end || !(std::abs(area) > 0.0))
     {
       return;
     }
-    const auto [left, right] = std::minmax({ a[0], b[0], c[0] });
-    const int from = this->Grid.from(left, this->Grid.columns),
-              to = this->Grid.from(std::nextafter(right, 1e300), this->Grid.columns);
     for (int row = begin; row < end; ++row)
     {
-      for (int column = from; column < to; ++column)
+      for (int column = places.from[0]; column < places.to[0]; ++column)
       {
         const double x = this->Grid.at(column), y = this->Grid.at(row);
         const double wa = acrossFrom(b, c, x, y) / area, wb = acrossFrom(c, a, x, y) / area,
@@ -120,36 +142,29 @@ double backShare(const Mesh& mesh, const View& view, const Context& context)
 {
   const FacingGrid grid(view);
   std::vector<Vector3> screen(mesh.points.size());
+  std::vector<FacingPlaces> places(mesh.points.size());
   std::vector<char> seen(mesh.points.size(), 0);
   context.each(mesh.vertexCount(),
     [&](int v)
     {
       seen[v] = view.inFront(mesh.points[v]);
       screen[v] = seen[v] ? view.toScreen(mesh.points[v]) : Vector3::Zero();
+      places[v] = grid.placesAt(screen[v]);
     });
-  // The bands that each triangle reaches into: the first, and one past the last.
-  std::vector<std::array<int, 2>> reach(mesh.triangles.size(), { 0, 0 });
-  context.each(mesh.triangleCount(),
-    [&](int i)
-    {
-      const Triangle& t = mesh.triangles[i];
-      if (seen[t[0]] && seen[t[1]] && seen[t[2]])
-      {
-        const auto [low, high] = std::minmax({ screen[t[0]][1], screen[t[1]][1], screen[t[2]][1] });
-        const int first = grid.from(low, grid.rows), last = grid.from(std::nextafter(high, 1e300), grid.rows);
-        if (first < last)
-        {
-          reach[i] = { first / rowsOfBand, (last - 1) / rowsOfBand + 1 };
-        }
-      }
-    });
+  const auto placesOfTriangle = [&](const Triangle& t)
+  { return facingPlacesOf(places[t[0]], places[t[1]], places[t[2]]); };
   const int bands = (grid.rows + rowsOfBand - 1) / rowsOfBand;
   std::vector<std::vector<int>> drawn(static_cast<std::size_t>(bands));
   for (int i = 0; i < mesh.triangleCount(); ++i)
   {
-    for (int band = reach[i][0]; band < reach[i][1]; ++band)
+    const Triangle& t = mesh.triangles[i];
+    const FacingPlaces reach = placesOfTriangle(t);
+    if (!reach.empty() && seen[t[0]] && seen[t[1]] && seen[t[2]])
     {
-      drawn[static_cast<std::size_t>(band)].push_back(i);
+      for (int band = reach.from[1] / rowsOfBand; band * rowsOfBand < reach.to[1]; ++band)
+      {
+        drawn[static_cast<std::size_t>(band)].push_back(i);
+      }
     }
   }
   std::vector<BandCounts> counts(static_cast<std::size_t>(bands));
@@ -160,7 +175,7 @@ double backShare(const Mesh& mesh, const View& view, const Context& context)
       for (const int i : drawn[static_cast<std::size_t>(band)])
       {
         const Triangle& t = mesh.triangles[i];
-        front.draw(screen[t[0]], screen[t[1]], screen[t[2]]);
+        front.draw(screen[t[0]], screen[t[1]], screen[t[2]], placesOfTriangle(t));
       }
       counts[static_cast<std::size_t>(band)] = front.counts();
     });

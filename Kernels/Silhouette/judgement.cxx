@@ -42,29 +42,33 @@ double leastDistance(const std::vector<NearestPlace>& places, const Vector2& p)
 
 JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
 {
-  std::vector<char> near = regionVertex;
-  for (const Triangle& t : whole.triangles)
+  std::vector<char> near = regionVertex, touched(whole.triangles.size());
+  const auto trianglesAt = [&](const std::vector<char>& chosen)
   {
-    if (regionVertex[t[0]] || regionVertex[t[1]] || regionVertex[t[2]])
-    {
-      near[t[0]] = near[t[1]] = near[t[2]] = 1;
-    }
+    context.each(whole.triangleCount(),
+      [&](int i)
+      {
+        const Triangle& t = whole.triangles[i];
+        touched[i] = static_cast<char>(chosen[t[0]] | chosen[t[1]] | chosen[t[2]]);
+      });
+    return valuesAt(whole.triangles, marked(touched));
+  };
+  for (const Triangle& t : trianglesAt(regionVertex))
+  {
+    near[t[0]] = near[t[1]] = near[t[2]] = 1;
   }
+  this->mesh.triangles = trianglesAt(near);
   std::vector<int> number(whole.points.size(), -1);
-  for (const Triangle& t : whole.triangles)
+  for (const Triangle& t : this->mesh.triangles)
   {
-    if (near[t[0]] || near[t[1]] || near[t[2]])
-    {
-      this->mesh.triangles.push_back(t);
-      number[t[0]] = number[t[1]] = number[t[2]] = 0;
-    }
+    number[t[0]] = number[t[1]] = number[t[2]] = 0;
   }
   for (int v = 0; v < whole.vertexCount(); ++v)
   {
     if (number[v] == 0)
     {
-      number[v] = this->mesh.vertexCount();
-      this->mesh.points.push_back(whole.points[v]);
+      number[v] = static_cast<int>(this->vertices.size());
+      this->vertices.push_back(v);
       this->region.push_back(regionVertex[v]);
     }
   }
@@ -72,6 +76,7 @@ JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex,
   {
     t = { number[t[0]], number[t[1]], number[t[2]] };
   }
+  this->place(whole);
   this->adjacency = buildAdjacency(this->mesh, context);
 }
 
@@ -101,6 +106,15 @@ int foldedEdges(const Mesh& mesh,
       }
     });
   eachTriangleAt(near, [&part](int t) { part[t] = 1; });
+  std::vector<Vector3> normals(mesh.triangles.size()); // of the part
+  context.each(mesh.triangleCount(),
+    [&](int t)
+    {
+      if (part[t])
+      {
+        normals[t] = facetNormal(mesh, t);
+      }
+    });
   std::vector<std::array<int, 2>> pairs;
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -126,7 +140,7 @@ int foldedEdges(const Mesh& mesh,
   const double limit = std::cos(100.0 * M_PI / 180.0);
   std::vector<char> folded(pairs.size(), 0);
   context.each(static_cast<int>(pairs.size()),
-    [&](int i) { folded[i] = facetNormal(mesh, pairs[i][0]).dot(facetNormal(mesh, pairs[i][1])) < limit; });
+    [&](int i) { folded[i] = normals[pairs[i][0]].dot(normals[pairs[i][1]]) < limit; });
   return static_cast<int>(std::count(folded.begin(), folded.end(), 1));
 }
 

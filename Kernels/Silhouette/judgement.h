@@ -18,11 +18,14 @@ namespace oversketch
 // folds and roughness are those of the whole mesh, which need not be linked for them.
 struct JudgedPart
 {
+  std::vector<int> vertices; // of the whole
   Mesh mesh;
   Adjacency adjacency;
   std::vector<char> region;
 
   JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context = Context());
+  // Takes the points of another whole with the same triangles.
+  void place(const Mesh& whole) { this->mesh.points = valuesAt(whole.points, this->vertices); }
 };
 
 // Edges whose two triangles have normals over 100 degrees apart, in the region (one byte per vertex) and two

@@ -136,7 +136,8 @@ TEST(Judgement, APartIsJudgedAsTheWholeIs)
       region.begin(),
       [&](const Vector3& p) { return static_cast<char>((p - middle).norm() < radius); });
     const Adjacency adjacency = buildAdjacency(mesh);
-    const JudgedPart part(mesh, region);
+    JudgedPart part({ std::vector<Vector3>(mesh.points.size(), Vector3::Zero()), mesh.triangles }, region);
+    part.place(mesh);
     const Roughness rough = roughness(mesh, adjacency, region),
                     own = roughness(part.mesh, part.adjacency, part.region);
     EXPECT_EQ(foldedEdges(part.mesh, part.adjacency, part.region), foldedEdges(mesh, adjacency, region));

@@ -75,9 +75,9 @@ TEST(CarriedArrays, PointsAreTakenOrMixed)
     normals->InsertNextTuple3(i == 0, i == 1, i == 2);
   }
   const std::vector<int> sources{ 1, 2, -1 };
-  const oversketch::CarriedPoints carried{ sources, [](vtkIdType) {
-                                            return oversketch::Mix{ { 0, 0.25 }, { 1, 0.75 } };
-                                          } };
+  const oversketch::Mix mix{ { 0, 0.25 }, { 1, 0.75 } };
+  const oversketch::CarriedPoints carried{ sources,
+    [&mix](vtkIdType) -> const oversketch::Mix& { return mix; } };
   const vtkSmartPointer<vtkIntArray> mixed = vtkIntArray::SafeDownCast(carried.Array(measure, false));
   EXPECT_STREQ(mixed->GetName(), "width");
   EXPECT_STREQ(mixed->GetComponentName(1), "deep");
