@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <iterator>
-#include <limits>
 #include <numeric>
 
 namespace oversketch
@@ -56,46 +54,16 @@ double sumOf(int count, const Term& term)
   return (parts[0] + parts[1]) + (parts[2] + parts[3]);
 }
 
-// The values with `below` and with `above` smaller ones before them. At most `few` values: each is compared
-// with all, which no branch can go wrong in.
-OVERSKETCH_CLONES void ranked(const double* values, int count, int below, int above, double* found)
-{
-  alignas(sizeof(WideDouble)) double padded[few];
-  std::fill(std::copy_n(values, count, padded), padded + few, std::numeric_limits<double>::infinity());
-  for (int first = 0; first < count; first += wide)
-  {
-    WideDouble block;
-    std::memcpy(&block, padded + first, sizeof block);
-    WideLong less = {}, notMore = {};
-    for (int k = 0; k < count; ++k)
-    {
-      less -= padded[k] < block;
-      notMore -= padded[k] <= block;
-    }
-    for (int i = 0; i < wide; ++i)
-    {
-      found[0] = less[i] <= below && below < notMore[i] ? block[i] : found[0];
-      found[1] = less[i] <= above && above < notMore[i] ? block[i] : found[1];
-    }
-  }
-}
-
+// Of at least one value.
 double medianOf(const double* values, int count)
 {
-  double middle[2] = {};
-  if (count <= few)
-  {
-    ranked(values, count, (count - 1) / 2, count / 2, middle);
-  }
-  else
-  {
-    std::vector<double> parted(values, values + count);
-    const auto half = parted.begin() + count / 2;
-    std::nth_element(parted.begin(), half, parted.end());
-    middle[1] = *half;
-    middle[0] = count % 2 ? *half : *std::max_element(parted.begin(), half);
-  }
-  return 0.5 * (middle[0] + middle[1]);
+  double fewParted[few];
+  std::vector<double> manyParted(count > few ? count : 0);
+  double* parted = count > few ? manyParted.data() : fewParted;
+  std::copy_n(values, count, parted);
+  double* half = parted + count / 2;
+  std::nth_element(parted, half, parted + count);
+  return count % 2 ? *half : 0.5 * (*std::max_element(parted, half) + *half);
 }
 
 } // namespace
