@@ -1,7 +1,5 @@
 #include "Ray/ray_caster.h"
 
-#include "Ray/wide.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,55 +13,44 @@ namespace
 
 constexpr int bits = 10; // per axis
 
-using WideBits = std::uint32_t __attribute__((vector_size(wide * sizeof(std::uint32_t))));
-
-// All bits where the given one is set, none where it is not.
-__attribute__((always_inline)) inline void everyBit(const WideBits& x, int bit, WideBits& all)
-{
-  all = -((x >> bit) & 1u);
-}
-
 // Two zeros before each bit.
-__attribute__((always_inline)) inline void spread(WideBits& x)
+std::uint32_t spread(std::uint32_t x)
 {
   x = (x | x << 16) & 0x030000ffu;
   x = (x | x << 8) & 0x0300f00fu;
   x = (x | x << 4) & 0x030c30c3u;
-  x = (x | x << 2) & 0x09249249u;
+  return (x | x << 2) & 0x09249249u;
 }
 
-// Where the curve reaches some cells (Skilling, "Programming the Hilbert curve", 2004: undo the excess work
-// of the Gray code, axis by axis).
-OVERSKETCH_CLONES void curveKeys(const WideBits* cells, WideBits& keys)
+// Where the curve reaches a cell (Skilling, "Programming the Hilbert curve", 2004: undo the excess work of
+// the Gray code, axis by axis).
+std::uint32_t curveKey(std::array<std::uint32_t, 3> x)
 {
-  WideBits x[3] = { cells[0], cells[1], cells[2] }, set, flips = {};
   for (int bit = bits - 1; bit > 0; --bit)
   {
     const std::uint32_t lower = (1u << bit) - 1;
-    for (WideBits& axis : x)
+    for (std::uint32_t& axis : x)
     {
       // The lower bits of the first axis are inverted where the bit is set, else exchanged with this one's.
-      everyBit(axis, bit, set);
-      const WideBits inverted = set & lower;
-      const WideBits exchanged = (x[0] ^ axis) & (inverted ^ lower);
+      const std::uint32_t inverted = axis >> bit & 1u ? lower : 0u;
+      const std::uint32_t exchanged = (x[0] ^ axis) & (inverted ^ lower);
       x[0] ^= exchanged ^ inverted;
       axis ^= exchanged;
     }
   }
   x[1] ^= x[0];
   x[2] ^= x[1];
+  std::uint32_t flips = 0;
   for (int bit = bits - 1; bit > 0; --bit)
   {
-    everyBit(x[2], bit, set);
-    flips ^= set & ((1u << bit) - 1);
+    flips ^= x[2] >> bit & 1u ? (1u << bit) - 1 : 0u;
   }
-  keys = WideBits{};
-  for (WideBits& axis : x)
+  std::uint32_t key = 0;
+  for (const std::uint32_t axis : x)
   {
-    axis ^= flips;
-    spread(axis);
-    keys = keys << 1 | axis;
+    key = key << 1 | spread(axis ^ flips);
   }
+  return key;
 }
 
 // The cell of a place along one axis.
@@ -83,23 +70,11 @@ CurveOrder curveOrder(const std::vector<std::array<float, 4>>& points, const Con
   };
   const int count = static_cast<int>(points.size());
   std::vector<Entry> entries(points.size()), sorted(points.size());
-  context.each((count + wide - 1) / wide,
-    [&](int block)
+  context.each(count,
+    [&](int i)
     {
-      const int first = block * wide, last = std::min(first + wide, count);
-      WideBits cells[3] = {}, keys;
-      for (int i = first; i < last; ++i)
-      {
-        for (int k = 0; k < 3; ++k)
-        {
-          cells[k][i - first] = cellOf(points[i][k]);
-        }
-      }
-      curveKeys(cells, keys);
-      for (int i = first; i < last; ++i)
-      {
-        entries[i] = { keys[i - first], i };
-      }
+      const std::array<float, 4>& p = points[i];
+      entries[i] = { curveKey({ cellOf(p[0]), cellOf(p[1]), cellOf(p[2]) }), i };
     });
   // Stable, digit by digit: serial, yet a small part of what the order saves.
   for (int shift = 0; shift < 3 * bits; shift += bits)
