@@ -1,6 +1,5 @@
 #include "Ray/embree.h"
 #include "Ray/ray_caster.h"
-#include "Ray/wide.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -118,7 +117,7 @@ public:
             if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID)
             {
               found[k] = { ray.ray.tfar, static_cast<int>(ray.hit.primID) };
-              prefetch(&this->Scene.facets[found[k].triangle]);
+              __builtin_prefetch(&this->Scene.facets[found[k].triangle]);
             }
           }
           query.facets = this->Scene.facets.data();

@@ -1,7 +1,6 @@
 #include "Ray/shape_diameter.h"
 
 #include "Ray/ray_caster.h"
-#include "Ray/wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -255,7 +254,7 @@ public:
           const std::size_t next = std::min(i + 1, end - 1) * rays;
           for (std::size_t ray = next; ray < next + rays; ++ray)
           {
-            prefetch(&this->Scene.facets[std::max(hits[ray].triangle, 0)]);
+            __builtin_prefetch(&this->Scene.facets[std::max(hits[ray].triangle, 0)]);
           }
           const int v = vertices[i];
           const Vector3 origin = this->Scene.frame.inScene(this->Model.points[v]);
