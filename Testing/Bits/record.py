@@ -1,7 +1,8 @@
 """Records what Testing/Bits/test_bits.py compares with.
 
     record.py [--group NAME]   digests of what the build makes on this platform (some minutes)
-    record.py --anew           the same after what is made has changed: figures, too, and those of other platforms are dropped
+    record.py --anew           the same after what is made has changed: figures, too, and rows that have changed here are dropped
+                               of other platforms
     record.py --strokes        strokes.vtp: some of the strokes that the acceptance run draws, spread over its models
 
 With PYTHONPATH and OVERSKETCH_COMMAND naming a build, as ctest does: a build of the sources whose bits are to be kept, not
@@ -62,7 +63,7 @@ def record(arguments: List[str], anew: bool) -> int:
         rows[backend] = one
     recorded, platform = Recorded(), bits.platform()
     if anew:
-        recorded.figures, recorded.platforms = {}, []
+        recorded.figures = {}
     known = recorded.on(platform)
     if known is None:
         known = {}
@@ -70,7 +71,12 @@ def record(arguments: List[str], anew: bool) -> int:
     for name, made in rows["embree"].items():
         recorded.figures.setdefault(name, Figures(made.points, made.triangles, made.bounds, made.moved))
         by = {backend: rows[backend][name] for backend in bits.BACKENDS}
-        known[name] = Digests(made.input, {b: each.mesh for b, each in by.items()}, {b: each.arrays for b, each in by.items()})
+        digests = Digests(made.input, {b: each.mesh for b, each in by.items()}, {b: each.arrays for b, each in by.items()})
+        if anew and known.get(name) != digests:
+            for _, there in recorded.platforms:
+                there.pop(name, None)
+        known[name] = digests
+    recorded.platforms = [(other, there) for other, there in recorded.platforms if there]
     recorded.write()
     print(f"{len(rows['embree'])} rows recorded of {platform}")
     return 0
