@@ -38,6 +38,11 @@ public:
   void Require(const std::vector<int>& points, const oversketch::Context& context);
 
   /**
+   * Gives the memory back that further values need, until they are asked for.
+   */
+  void Rest() { this->Diameters->rest(); }
+
+  /**
    * How the values came about that are known.
    */
   const oversketch::ShapeDiameter& Result() const { return this->Diameters->result(); }

@@ -73,6 +73,9 @@ constexpr double noise = 0.02;
 // triangles that are remeshed round these, and one to spare.
 constexpr int knownRings = 4;
 
+// Points of a mesh whose rays are given back once a region is found: the steps that follow need the memory.
+constexpr int manyPoints = 250000;
+
 constexpr int mostSamples = 2048; // for a mixture
 // How far from a seed a sample for the mixture of too few seeds may lie, along edges, of half the bounding
 // box's diagonal: the paper's tolerance, whose unit is not told.
@@ -551,6 +554,10 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     const std::vector<char> known = withinRings(mesh.Neighbours(), marked(region), knownRings);
     const std::vector<int> vertices = marked(known);
     evidence.require(vertices);
+    if (count > manyPoints)
+    {
+      this->OnDemand->Rest();
+    }
     std::vector<double> values(known.size(), 0.0);
     for (const int v : vertices)
     {

@@ -26,7 +26,8 @@
  * - so where the thickness is the same but for the rays' noise, as on a sphere (IgnoreNoise): the region was
  * a chance patch, which tore or held no vertex inside its border;
  * - samples are even over the surface, not random (EvenSamples): neither the vertices' order, nor their
- * density, nor a turn of the model changes the mixtures. They alone are scaled to [0, 1], so that nothing is read of the others.
+ * density, nor a turn of the model changes the mixtures. They alone are scaled to [0, 1], so that nothing is
+ * read of the others.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point array ShapeDiameter, double[1]
  * (vtkOversketchShapeDiameter). Non-manifold edges and borders are tolerated. Where that filter computes
@@ -48,8 +49,9 @@
  *
  * Deterministic: samples are drawn by a generator with the fixed Seed. Device and host agree to 1e-5.
  *
- * Cost: milliseconds for the mixtures, then linear in the vertices, and rays on demand. The whole mesh's mixture is kept while
- * points, polygons, ShapeDiameter and its parameters stand; the output arrays while the seeds do, too.
+ * Cost: milliseconds for the mixtures, then linear in the vertices, and rays on demand. The whole mesh's
+ * mixture is kept while points, polygons, ShapeDiameter and its parameters stand; the output arrays while the
+ * seeds do, too.
  *
  * @sa vtkOversketchShapeDiameter vtkOversketchTargets vtkOversketchRegionBorder
  */
@@ -157,7 +159,8 @@ public:
   /**
    * Take the samples in the order of the vertices' distances from the middle of the surface at equal steps of
    * its area, of the seeds in the order of their values at equal steps of their number; default on. Off: at
-   * random, as published, by the vertices' numbers and density, scaled by the least and greatest value of all.
+   * random, as published, by the vertices' numbers and density, scaled by the least and greatest value of
+   * all.
    */
   vtkSetMacro(EvenSamples, bool);
   vtkGetMacro(EvenSamples, bool);

@@ -135,6 +135,7 @@ TEST(Diameters, RaysAreCastWhereTheyAreAskedForAndOnce)
   EXPECT_EQ(some.result().raysCast, 0);
   some.require({ 3, 5, 900 }, Context());
   EXPECT_EQ(some.result().raysCast, 3 * 32);
+  some.rest();
   some.require({ 900, 3, 4 }, Context());
   EXPECT_EQ(some.result().raysCast, 4 * 32);
   some.requireAll(Context());

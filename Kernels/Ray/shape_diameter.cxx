@@ -211,7 +211,6 @@ public:
   }
   bool onHost() const { return this->Caster->onHost(); }
   int rayCount() const { return static_cast<int>(this->Cone.size()); }
-  bool hasRays(int vertex) const { return this->Normals[vertex].squaredNorm() > 0.0; }
   // The vertices so that rays traced together visit the same nodes.
   const std::vector<int>& order() const { return this->Scene.order; }
 
@@ -303,19 +302,35 @@ Diameters::Diameters(const Mesh& mesh,
   const Context& context)
   : Model(mesh)
   , Neighbours(adjacency)
+  , Normals(normals)
+  , Options(options)
 {
   this->Values.diameter.resize(mesh.points.size(), 0.0);
   this->Values.measured.resize(mesh.points.size(), 0);
-  const std::shared_ptr<Device> device = Device::choose(options.backend, this->Values.warning);
-  if (!mesh.triangles.empty())
-  {
-    this->Rays = std::make_unique<Cones>(mesh, adjacency, normals, options, context);
-  }
   this->start();
-  if (!this->Rays)
+  this->prepare(context);
+}
+
+Diameters::~Diameters() = default;
+
+void Diameters::start()
+{
+  this->States.assign(this->Model.points.size(), State::Unmeasured);
+  for (int v = 0; v < this->Model.vertexCount(); ++v)
+  {
+    const bool hasRays = !this->Model.triangles.empty() && this->Normals[v].squaredNorm() > 0.0;
+    this->States[v] = hasRays ? State::Untried : State::Unmeasured;
+  }
+}
+
+void Diameters::prepare(const Context& context)
+{
+  if (this->Rays || this->Model.triangles.empty())
   {
     return;
   }
+  const std::shared_ptr<Device> device = Device::choose(this->Options.backend, this->Values.warning);
+  this->Rays = std::make_unique<Cones>(this->Model, this->Neighbours, this->Normals, this->Options, context);
   try
   {
     this->Rays->chooseCaster(device, context);
@@ -327,15 +342,9 @@ Diameters::Diameters(const Mesh& mesh,
   }
 }
 
-Diameters::~Diameters() = default;
-
-void Diameters::start()
+void Diameters::rest()
 {
-  this->States.assign(this->Model.points.size(), State::Unmeasured);
-  for (int v = 0; this->Rays && v < this->Model.vertexCount(); ++v)
-  {
-    this->States[v] = this->Rays->hasRays(v) ? State::Untried : State::Unmeasured;
-  }
+  this->Rays.reset();
 }
 
 void Diameters::goOnWithoutDevice(const Error& error)
@@ -345,7 +354,7 @@ void Diameters::goOnWithoutDevice(const Error& error)
     throw;
   }
   this->Values.warning = { "%1 The host computes instead.", error.message() };
-  this->Values.used = Backend::Host;
+  this->Values.used = this->Options.backend = Backend::Host; // from now on
   this->Rays->chooseCaster(nullptr, {});
 }
 
@@ -365,6 +374,7 @@ void Diameters::require(const std::vector<int>& vertices, const Context& context
   {
     return;
   }
+  this->prepare(context);
   try
   {
     this->compute(wanted, context, hits);
@@ -387,6 +397,7 @@ void Diameters::require(const std::vector<int>& vertices, const Context& context
 
 void Diameters::requireAll(const Context& context, std::vector<ConeHit>* hits)
 {
+  this->prepare(context);
   if (this->Rays)
   {
     this->require(this->Rays->order(), context, hits);

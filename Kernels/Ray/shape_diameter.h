@@ -96,6 +96,9 @@ public:
     std::vector<ConeHit>* hits = nullptr);
   void requireAll(const Context& context, std::vector<ConeHit>* hits = nullptr);
 
+  // Lets go of what rays need, some 140 bytes a triangle, which is made again when it is.
+  void rest();
+
   bool knows(int vertex) const { return this->States[vertex] == State::Known; }
   const std::vector<double>& values() const { return this->Values.diameter; } // 0 where not known
   // The values with how they came about.
@@ -111,6 +114,7 @@ private:
   class Cones;
 
   void start();
+  void prepare(const Context& context);
   void goOnWithoutDevice(const Error& error); // throws it where it is another one
   void compute(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits);
   void measure(const std::vector<int>& vertices, const Context& context, std::vector<ConeHit>* hits);
@@ -118,7 +122,9 @@ private:
 
   const Mesh& Model;
   const Adjacency& Neighbours;
-  std::unique_ptr<Cones> Rays; // none where the mesh has no triangles
+  const std::vector<Vector3>& Normals;
+  ShapeDiameterOptions Options;
+  std::unique_ptr<Cones> Rays; // none at rest, and where the mesh has no triangles
   std::vector<State> States;   // by vertex
   ShapeDiameter Values;
 };
