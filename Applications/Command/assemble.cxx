@@ -3,7 +3,7 @@
 #include "mesh_file.h"
 #include "option_names.h"
 #include "parts.h"
-#include "parts_file.h"
+#include "json_files.h"
 #include "report.h"
 #include "terminal.h"
 

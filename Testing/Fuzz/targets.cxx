@@ -7,7 +7,7 @@
 #include "Harness/shapes.h"
 #include "heights.h"
 #include "mesh_file.h"
-#include "parts_file.h"
+#include "json_files.h"
 #include "session_file.h"
 #include "texture.h"
 #include "upright_picture.h"
