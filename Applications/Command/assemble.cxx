@@ -1,9 +1,9 @@
 #include "verbs.h"
 
+#include "json_files.h"
 #include "mesh_file.h"
 #include "option_names.h"
 #include "parts.h"
-#include "json_files.h"
 #include "report.h"
 #include "terminal.h"
 

@@ -41,8 +41,7 @@ void vtkOversketchDiametersOnDemand::Open(const std::shared_ptr<const MeshData>&
   this->Fill(0.0);
 }
 
-void vtkOversketchDiametersOnDemand::Require(const std::vector<int>& points,
-  const Context& context)
+void vtkOversketchDiametersOnDemand::Require(const std::vector<int>& points, const Context& context)
 {
   this->Diameters->require(points, context);
   for (const int v : points)
