@@ -1,9 +1,9 @@
 #include "verbs.h"
 
+#include "json_files.h"
 #include "mesh_file.h"
 #include "option_names.h"
 #include "parts.h"
-#include "parts_file.h"
 #include "report.h"
 #include "terminal.h"
 

@@ -1,6 +1,6 @@
 #include "verbs.h"
 
-#include "layers_file.h"
+#include "json_files.h"
 #include "mesh_file.h"
 #include "option_names.h"
 #include "option_values.h"

@@ -1,6 +1,6 @@
 #include "vtkOversketchTunnel.h"
 
-#include "Inflate/tunnel.h"
+#include "Inflate/solid.h"
 #include "Planar/planar_mesh.h"
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchKept.h"

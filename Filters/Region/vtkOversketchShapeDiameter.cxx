@@ -29,6 +29,27 @@ struct vtkOversketchShapeDiameter::Cache
   vtkSmartPointer<vtkDoubleArray> Array;
 };
 
+vtkStandardNewMacro(vtkOversketchDiametersOnDemand);
+
+void vtkOversketchDiametersOnDemand::Open(const std::shared_ptr<const MeshData>& mesh,
+  const ShapeDiameterOptions& options,
+  const Context& context)
+{
+  this->Mesh = mesh;
+  this->Diameters.emplace(mesh->Surface(), mesh->Neighbours(), mesh->Normals(), options, context);
+  this->SetNumberOfTuples(mesh->Surface().vertexCount());
+  this->Fill(0.0);
+}
+
+void vtkOversketchDiametersOnDemand::Require(const std::vector<int>& points, const Context& context)
+{
+  this->Diameters->require(points, context);
+  for (const int v : points)
+  {
+    this->SetValue(v, this->Diameters->values()[v]);
+  }
+}
+
 vtkStandardNewMacro(vtkOversketchShapeDiameter);
 
 vtkOversketchShapeDiameter::vtkOversketchShapeDiameter()

@@ -5,7 +5,6 @@
 #include "Inflate/heights.h"
 #include "Inflate/solid.h"
 #include "Inflate/swap_edges.h"
-#include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
 #include "Planar/guard.h"
 #include "Raster/grid_smoothing.h"

@@ -1,11 +1,13 @@
 // A surface made of a drawing's mesh: its front, its back and the walls between them. Inflation pushes the
 // mesh out to both sides and seals it at its rim; extrusion moves it to both sides, with walls between.
+// Tunnels are regions cut out of it, front and back.
 #ifndef oversketch_kernels_inflate_solid_h
 #define oversketch_kernels_inflate_solid_h
 
 #include "Inflate/sheet.h"
 #include "Mesh/mesh.h"
 #include "Planar/planar_mesh.h"
+#include "Raster/distance_maps.h"
 
 #include <array>
 #include <vector>
@@ -66,6 +68,19 @@ enum class WallRows
 // of it, 2 2^k. Points: the front's, the back's, the walls'. Throws Error(Failure::BadStroke) for a depth
 // that is not above 0, Error(Failure::BadMesh) as borderOf and edgesBetweenBasePoints do.
 Solid extrude(const PlanarMesh& mesh, double depth, WallRows rows);
+
+// Regions, each with 1 where its stroke is a tunnel, or that of a region round it.
+std::vector<char> regionsInTunnels(const Classification& classification,
+  const std::vector<Treatment>& treatments);
+
+// Source: image-assisted modelling, section 14: the faces are removed after the surface has been made, so the
+// tunnel's rim stands where it would without. That leaves two open loops, which the paper does not close;
+// with `wall` they are joined as section 13 does, by 2^k rows. removed: 1 for faces to go, walls that hang on
+// them among these. Points without a face go too; walls' points come last.
+//
+// Throws Error(Failure::BadMesh) for a tunnel that reaches a rim, takes other faces of the front than of the
+// back, or leaves none.
+Solid tunnel(const Solid& solid, const std::vector<char>& removed, bool wall);
 
 } // namespace oversketch
 #endif

@@ -4,7 +4,6 @@
 #include "Harness/solid_shape.h"
 #include "Inflate/solid.h"
 #include "Inflate/swap_edges.h"
-#include "Inflate/tunnel.h"
 #include "Inflate/unstretch.h"
 #include "Mesh/shape.h"
 

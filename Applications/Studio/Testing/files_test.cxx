@@ -1,15 +1,15 @@
 // Files as a person has them: opened, saved, exported, left, found again after a crash.
 #include "autosave.h"
-#include "camera_look.h"
-#include "examples.h"
 #include "files.h"
 #include "long_work.h"
 #include "mesh_file.h"
 #include "picture_files.h"
+#include "resources.h"
 #include "scene.h"
 #include "session_file.h"
 #include "texture.h"
 #include "tool.h"
+#include "viewport.h"
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"

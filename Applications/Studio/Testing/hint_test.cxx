@@ -1,5 +1,5 @@
 // Who follows the hint exactly gets what it says.
-#include "hint_line.h"
+#include "hint.h"
 #include "scene.h"
 #include "tool.h"
 

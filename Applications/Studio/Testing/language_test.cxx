@@ -1,6 +1,6 @@
 // The window in a language that nobody speaks: whatever is seen is in it, and nothing is cut off.
-#include "advice_label.h"
 #include "language.h"
+#include "status_labels.h"
 
 #include "document.h"
 #include "resources.h"

@@ -1,8 +1,8 @@
 // The window as large or small as screens are, dark and light, each tool in the hand and its docks open:
 // nothing lies over another, nothing is cut off, no room is wasted.
-#include "advice_label.h"
 #include "options_stack.h"
 #include "scene.h"
+#include "status_labels.h"
 #include "tool.h"
 
 #include "vtkOversketchInteractorStyle.h"

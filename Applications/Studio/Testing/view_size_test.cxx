@@ -1,9 +1,9 @@
 // What was whole in view stays whole in a window, or beside a dock, that makes the view narrower than high;
 // and the view comes back as it was.
-#include "camera_look.h"
 #include "scene.h"
 #include "session_file.h"
 #include "tool.h"
+#include "viewport.h"
 
 #include "pen_view.h"
 

@@ -3,7 +3,7 @@
 #ifndef oversketch_applications_studio_tools_tool_h
 #define oversketch_applications_studio_tools_tool_h
 
-#include "hint_line.h"
+#include "hint.h"
 #include "session.h"
 #include "worker.h"
 

@@ -7,6 +7,7 @@
 #include "frame_view.h"
 #include "hand_gestures.h"
 #include "hint.h"
+#include "look.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
 #include "moved_region.h"
@@ -157,6 +158,10 @@ private:
   bool CameraSteps = false; // a wheel or a key moves it, until it rests
   bool IsCoarse = false;    // the last frame is
 };
+
+// The view's camera as a session keeps it.
+oversketch_session::Look lookOf(Viewport& view);
+void lookAs(const oversketch_session::Look& look, Viewport& view);
 
 } // namespace oversketch_studio
 #endif

@@ -3,7 +3,7 @@
 #ifndef oversketch_applications_studio_window_hint_h
 #define oversketch_applications_studio_window_hint_h
 
-#include "hint_line.h"
+#include "Stroke/polyline.h"
 
 #include "vtkNew.h"
 
@@ -17,6 +17,20 @@ class vtkTextActor;
 
 namespace oversketch_studio
 {
+
+// A line to be followed exactly: up one side of the limb that ends at the highest of the points, over a tip
+// that stands further out, and down the other side; lengths in pixels of `ratio` each. Empty where there are
+// no points.
+oversketch::Polyline hintLine(const oversketch::Polyline& picture, double ratio);
+
+// The shape of a tool's hint: that limb; a line on the body; a ring round that line.
+enum class HintShape
+{
+  Limb,
+  Line,
+  Ring
+};
+oversketch::Polyline hintLine(HintShape shape, const oversketch::Polyline& picture, double ratio);
 
 class Hint
 {

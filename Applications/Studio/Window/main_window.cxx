@@ -1,7 +1,5 @@
 #include "main_window.h"
 
-#include "advice_label.h"
-#include "camera_look.h"
 #include "files.h"
 #include "focus_frame.h"
 #include "history_panel.h"
@@ -9,6 +7,7 @@
 #include "looks.h"
 #include "option_presets.h"
 #include "scene_panel.h"
+#include "status_labels.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
 #include "tools.h"

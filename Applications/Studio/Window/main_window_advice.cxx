@@ -2,9 +2,9 @@
 // asked for.
 #include "main_window.h"
 
-#include "advice_label.h"
 #include "history_panel.h"
 #include "message_text.h"
+#include "status_labels.h"
 #include "system_strings.h"
 #include "systems.h"
 #include "tool.h"

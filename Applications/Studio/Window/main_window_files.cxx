@@ -1,7 +1,5 @@
 #include "main_window.h"
 
-#include "advice_label.h"
-#include "examples.h"
 #include "exporting.h"
 #include "files.h"
 #include "heights.h"
@@ -13,6 +11,7 @@
 #include "pieces.h"
 #include "resources.h"
 #include "scene_panel.h"
+#include "status_labels.h"
 #include "system_strings.h"
 #include "tool.h"
 #include "viewport.h"

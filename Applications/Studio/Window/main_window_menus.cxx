@@ -1,13 +1,12 @@
 // The window's menus, tool bar and status bar.
 #include "main_window.h"
 
-#include "advice_label.h"
-#include "examples.h"
 #include "history_panel.h"
-#include "kept_note.h"
 #include "option_presets.h"
 #include "options_stack.h"
+#include "resources.h"
 #include "scene_panel.h"
+#include "status_labels.h"
 #include "systems.h"
 #include "tool.h"
 #include "view_menu.h"

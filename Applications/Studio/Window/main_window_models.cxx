@@ -1,9 +1,9 @@
 // The window's models: those of a scene, and which of them is worked on.
 #include "main_window.h"
 
-#include "advice_label.h"
 #include "models.h"
 #include "scene_panel.h"
+#include "status_labels.h"
 #include "stroke_lines.h"
 #include "tool.h"
 #include "viewport.h"

@@ -1,9 +1,9 @@
 // The window's rows of the history, and their lines on the model.
 #include "main_window.h"
 
-#include "advice_label.h"
 #include "held_stroke_tool.h"
 #include "history_panel.h"
+#include "status_labels.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
 #include "view_keys.h"

@@ -1,10 +1,13 @@
-// Where the files that come with the program are. A translation is one of them,
+// The files that come with the program: models and drawings to begin with, and translations,
 // Translations/oversketch_LANGUAGE.qm.
 #ifndef oversketch_applications_studio_window_resources_h
 #define oversketch_applications_studio_window_resources_h
 
+#include "document.h"
+
 #include <QLocale>
 #include <QString>
+#include <QVector>
 
 namespace oversketch_studio
 {
@@ -13,6 +16,20 @@ namespace oversketch_studio
 QString shippedFile(const QString& path);
 // The model that the window opens on; empty where it is not installed.
 QString shippedModel();
+
+// A model or a drawing.
+struct Example
+{
+  QString title;
+  QString file;    // of a model, or of a drawing
+  QString picture; // that a drawing lies over; empty for a model
+};
+
+// Those that are installed, models first.
+QVector<Example> examples();
+
+// On any thread. Throws Failed.
+Document::Opened readExample(const Example& example, int backend);
 
 // Takes up the translation into that language that is in the folder, for the rest of the program, with Qt's
 // own texts. False where there is none: the window is English.

@@ -1,6 +1,7 @@
-// The file that `oversketch assemble` reads: parts of a model, and where each one goes.
-#ifndef oversketch_applications_command_parts_file_h
-#define oversketch_applications_command_parts_file_h
+// JSON files that the command takes: parts of a model, and where each one goes, of `oversketch assemble`;
+// the layers of an edit.
+#ifndef oversketch_applications_command_json_files_h
+#define oversketch_applications_command_json_files_h
 
 #include "step.h"
 
@@ -51,6 +52,12 @@ std::vector<Part> readParts(const std::string& path);
 // it covers in x and y, comes to fill the box, by a mean of both scales in z, then it is moved along z.
 // Throws Failed where it cannot be.
 Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh);
+
+// A JSON object with the members, each of which may be absent: levels, a number; handles, a list of [from,
+// to]; areas, a list of objects with stroke, the path of a .vtp file of one stroke over the disc, and levels
+// and handles of its own. Sets the parameters Levels, where it says some, and Layers, and the input Areas.
+// Throws Failed, naming file and member.
+void readLayers(const std::string& path, oversketch_session::Step& step);
 
 } // namespace oversketch_command
 #endif

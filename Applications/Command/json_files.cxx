@@ -1,12 +1,17 @@
-#include "parts_file.h"
+#include "json_files.h"
 
 #include "files.h"
-#include "json_members.h"
+#include "json_reader.h"
+#include "mesh_file.h"
 #include "node_json.h"
 #include "parts.h"
 
 #include "Inflate/placement.h"
 #include "Mesh/context.h"
+#include "Shading/layer_list.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkNew.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +31,54 @@ constexpr Json::ArrayIndex mostParts = 1000;
 constexpr double farthest = 1e9;   // that a part is moved or scaled
 constexpr double narrowest = 1e-9; // of a box, and what a part is scaled by
 const char* const verdict = "see oversketch assemble --help";
+const char* const adviceOfEdit = "see oversketch edit --help";
+constexpr int mostLevels = 256;            // vtkOversketchShadingLevels
+constexpr Json::ArrayIndex mostAreas = 64; // vtkOversketchScanFill
+constexpr Json::ArrayIndex mostHandles = 1000;
+
+// Throws Failed, naming one that is none of the members.
+void requireKnown(const JsonReader& json, const std::vector<std::string>& members)
+{
+  for (const std::string& name : json.names())
+  {
+    if (std::find(members.begin(), members.end(), name) == members.end())
+    {
+      std::string known;
+      for (const std::string& member : members)
+      {
+        known += (known.empty() ? "" : ", ") + member;
+      }
+      json.refuse(name, "is no member of it; these are: " + known);
+    }
+  }
+}
+
+// A readable file that a member names; relative to the folder of the JSON file, which messages call `whose`
+// ("the parts' file"). Throws Failed, naming the member.
+std::string fileBeside(const JsonReader& json,
+  const std::string& name,
+  const std::string& folder,
+  const std::string& whose)
+{
+  const std::string given = json.text(name);
+  if (given.empty() || given.find('\0') != std::string::npos)
+  {
+    json.refuse(name, "is no path of a file; name one, beginning at the folder of " + whose);
+  }
+  std::string path = (std::filesystem::path(folder) / given).lexically_normal().string();
+  try
+  {
+    requireReadable(path);
+  }
+  catch (const Failed& failed)
+  {
+    const std::string why = failed.what();
+    json.refuse(name,
+      "names '" + given + "': " + why.substr(path.size() + 2) +
+        "; mend the path, which begins at the folder of " + whose);
+  }
+  return path;
+}
 
 // A file that a part names; relative to the folder of the parts' file.
 std::string fileOf(const JsonReader& json, const std::string& name, const std::filesystem::path& folder)
@@ -184,6 +237,31 @@ bool isSamePlace(const Part& a, const Part& b)
   return a.placement == b.placement && a.box == b.box && a.depth == b.depth;
 }
 
+std::vector<oversketch::LayerHandle> handlesOf(const JsonReader& json)
+{
+  std::vector<oversketch::LayerHandle> handles;
+  if (!json.has("handles"))
+  {
+    return handles;
+  }
+  const Json::Value& list = json.get("handles");
+  if (!list.isArray() || list.size() > mostHandles)
+  {
+    json.refuse("handles", std::string("is no list of at most 1000 pairs [from, to]; ") + adviceOfEdit);
+  }
+  for (const Json::Value& pair : list)
+  {
+    if (!pair.isArray() || pair.size() != 2 || !pair[0].isNumeric() || !pair[1].isNumeric() ||
+        !std::isfinite(pair[0].asDouble()) || !std::isfinite(pair[1].asDouble()))
+    {
+      json.refuse(
+        "handles", std::string("holds something that is no pair [from, to] of numbers; ") + adviceOfEdit);
+    }
+    handles.push_back({ pair[0].asDouble(), pair[1].asDouble() });
+  }
+  return handles;
+}
+
 } // namespace
 
 std::vector<Part> readParts(const std::string& path)
@@ -245,6 +323,55 @@ Eigen::Matrix4d placementOf(const Part& part, vtkPolyData* mesh)
   }
   requirePlacement(part.where, part.box ? "box" : "depth", matrix);
   return matrix;
+}
+
+void readLayers(const std::string& path, Step& step)
+{
+  requireReadable(path);
+  const Json::Value root = JsonReader::parse(wholeFile(path), path);
+  const JsonReader json(root, path, adviceOfEdit);
+  requireKnown(json, { "levels", "handles", "areas" });
+  if (json.has("levels"))
+  {
+    step.values["Levels"] = json.integer("levels", 2, mostLevels);
+  }
+  oversketch::LayerList layers{ handlesOf(json), {} };
+  if (json.has("areas"))
+  {
+    const Json::Value& list = json.get("areas");
+    if (!list.isArray() || list.size() > mostAreas)
+    {
+      json.refuse("areas", std::string("is no list of at most 64 areas; ") + adviceOfEdit);
+    }
+    if (step.inputs.count("Areas") > 0)
+    {
+      json.refuse("areas", "stands beside --areas; give them in one of both");
+    }
+    vtkNew<vtkAppendPolyData> all;
+    all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    for (Json::ArrayIndex i = 0; i < list.size(); ++i)
+    {
+      const JsonReader area(list[i], path + ", area " + std::to_string(i), adviceOfEdit);
+      requireKnown(area, { "stroke", "levels", "handles" });
+      const std::string folder = std::filesystem::path(path).parent_path().string();
+      const vtkSmartPointer<vtkPolyData> stroke =
+        readStroke(fileBeside(area, "stroke", folder, "the file of layers"));
+      if (stroke->GetNumberOfLines() != 1 || stroke->GetNumberOfCells() != 1)
+      {
+        area.refuse(
+          "stroke", "holds " + std::to_string(stroke->GetNumberOfCells()) + " cells; give one polyline");
+      }
+      all->AddInputData(stroke);
+      const int levels = area.has("levels") ? area.integer("levels", 2, mostLevels) : 0;
+      layers.areas.push_back({ static_cast<int>(i), levels, handlesOf(area) });
+    }
+    if (!list.empty())
+    {
+      all->Update();
+      step.inputs["Areas"] = Lines(all->GetOutput());
+    }
+  }
+  step.values["Layers"] = oversketch::layerText(layers);
 }
 
 } // namespace oversketch_command

@@ -1,8 +1,12 @@
-#include "advice_label.h"
+#include "status_labels.h"
+
+#include "document.h"
 
 #include <QHelpEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QStyle>
+#include <QTime>
 #include <QToolTip>
 
 #include <algorithm>
@@ -92,6 +96,34 @@ bool AdviceLabel::fits(const QString& text, const QFont& font) const
 QRect AdviceLabel::room(int height) const
 {
   return { this->indent(), 0, std::max(0, this->width() - this->indent()), height };
+}
+
+KeptNote::KeptNote(const Document* document, QWidget* parent)
+  : QLabel(parent)
+  , OpenDocument(document)
+{
+  this->setObjectName("kept");
+  connect(document, &Document::kept, this, &KeptNote::follow);
+  connect(document, &Document::begun, this, [this] { this->Saved = false; });
+  connect(document,
+    &Document::changed,
+    this,
+    [this](Document::Change change) { this->Saved = this->Saved || change == Document::Change::Saved; });
+}
+
+void KeptNote::follow()
+{
+  const bool isSaved = !this->OpenDocument->isModified();
+  if (isSaved && (this->OpenDocument->path().isEmpty() || !this->Saved))
+  {
+    this->clear(); // nothing has been done
+    this->setToolTip({});
+    return;
+  }
+  const QString time = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
+  this->setText(isSaved ? tr("saved %1").arg(time) : tr("kept %1").arg(time));
+  this->setToolTip(isSaved ? tr("All of it is in %1").arg(this->OpenDocument->path())
+                           : tr("A crash loses nothing of it. Ctrl+S saves it in a file of your own."));
 }
 
 } // namespace oversketch_studio
