@@ -35,7 +35,7 @@ namespace
 {
 
 constexpr vtkIdType most = 40000;          // triangles of what stands in
-constexpr double soon = 20.0, late = 60.0; // ms of a frame
+constexpr double soon = 10.0, late = 60.0; // ms of a frame
 
 vtkSmartPointer<vtkPolyData> ring(int around)
 {
@@ -183,7 +183,6 @@ TEST(CoarseSkin, AnotherMeshIsWhole)
   turned.view.showMesh(ring(401), false);
   turned.move();
   EXPECT_TRUE(turned.isWhole()) << turned.triangles();
-  turned.rest();
   turned.move();
   EXPECT_TRUE(turned.isCoarse()) << turned.triangles();
   turned.release();

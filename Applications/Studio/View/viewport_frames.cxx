@@ -22,8 +22,9 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int awaitTime = 500;       // ms; what takes longer shows its progress
-constexpr double frameBudget = 33.0; // ms; a frame that takes longer is late under the hand
+constexpr int awaitTime = 500; // ms; what takes longer shows its progress
+constexpr double frameBudget =
+  20.0; // ms; longer is late under the hand: of 33, painting and work take the rest
 
 } // namespace
 
@@ -69,6 +70,10 @@ void Viewport::drawFrame()
   if (!this->IsCoarse && (std::exchange(this->Drawn, mesh) == mesh || this->onProcessor()))
   {
     this->WholeFrame = time;
+    if (time > frameBudget && this->handMoves())
+    {
+      this->Model.makeCoarse(); // of faces that came under the hand
+    }
   }
 }
 
