@@ -1,5 +1,6 @@
 // Diameters where they are asked for: the same as all at once, whatever is asked for in whatever order.
 #include "Harness/shapes.h"
+#include "Harness/three_threads.h"
 #include "Ray/shape_diameter.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +9,6 @@
 #include <cmath>
 #include <numeric>
 #include <random>
-#include <thread>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -58,25 +58,6 @@ std::vector<std::pair<const char*, Mesh>> models()
     { "sheets", sheets } };
 }
 
-Context threaded()
-{
-  Context context;
-  context.parallelFor = [](int count, const Context::Body& body)
-  {
-    std::vector<std::thread> threads;
-    threads.reserve(3);
-    for (int i = 0; i < 3; ++i)
-    {
-      threads.emplace_back([=, &body] { body(count * i / 3, count * (i + 1) / 3); });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
-  return context;
-}
-
 ShapeDiameterOptions castOn(Backend backend)
 {
   ShapeDiameterOptions options;
@@ -109,7 +90,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
         for (int first = 0; first < mesh.vertexCount() / 3; first += size)
         {
           const int last = std::min(first + size, mesh.vertexCount());
-          some.require({ order.begin() + first, order.begin() + last }, threaded());
+          some.require({ order.begin() + first, order.begin() + last }, threeThreads());
           std::for_each(order.begin() + first, order.begin() + last, [&](int v) { asked[v] = 1; });
         }
         for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -117,7 +98,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
           ASSERT_TRUE(some.knows(v) || !asked[v]) << v;
           ASSERT_EQ(some.values()[v], some.knows(v) ? whole.diameter[v] : 0.0) << v;
         }
-        some.requireAll(threaded());
+        some.requireAll(threeThreads());
         EXPECT_EQ(some.values(), whole.diameter);
         EXPECT_EQ(some.result().measured, whole.measured);
         EXPECT_EQ(some.result().raysCast, whole.raysCast);
@@ -159,6 +140,7 @@ TEST(Diameters, ACancelledRequestLeavesWhatWasKnownAndIsMadeGood)
     EXPECT_THROW(some.requireAll(context), Error);
     EXPECT_EQ(some.values()[2], known);
     some.requireAll(Context());
-    EXPECT_EQ(some.values(), computeShapeDiameter(mesh, adjacency, normals, castOn(backend), Context()).diameter);
+    EXPECT_EQ(
+      some.values(), computeShapeDiameter(mesh, adjacency, normals, castOn(backend), Context()).diameter);
   }
 }

@@ -1,4 +1,5 @@
 #include "Harness/shapes.h"
+#include "Harness/three_threads.h"
 #include "Ray/bvh.h"
 #include "Ray/ray_caster.h"
 #include "Ray/shape_diameter.h"
@@ -7,7 +8,6 @@
 
 #include <random>
 #include <set>
-#include <thread>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -344,24 +344,10 @@ TEST(Ray, HitsDoNotDependOnThreadsOrOrder)
   const Mesh mesh = spikySphere(4, 0.2);
   const auto normals = vertexNormals(mesh);
   const Adjacency adjacency = buildAdjacency(mesh);
-  Context threaded;
-  threaded.parallelFor = [](int count, const Context::Body& body)
-  {
-    std::vector<std::thread> threads;
-    threads.reserve(3);
-    for (int i = 0; i < 3; ++i)
-    {
-      threads.emplace_back([=, &body] { body(count * i / 3, count * (i + 1) / 3); });
-    }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
-  };
   for (const Backend backend : { Backend::OpenCL, Backend::Host })
   {
     const auto one = computeShapeDiameter(mesh, adjacency, normals, on(backend), Context());
-    const auto three = computeShapeDiameter(mesh, adjacency, normals, on(backend), threaded);
+    const auto three = computeShapeDiameter(mesh, adjacency, normals, on(backend), threeThreads());
     EXPECT_EQ(one.diameter, three.diameter);
   }
 }
