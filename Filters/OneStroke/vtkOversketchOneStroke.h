@@ -181,8 +181,8 @@ public:
 
   ///@{
   /**
-   * Prepare computes the shape diameter of the mesh on port 0. Preview runs the steps up to {Match} and gives
-   * its section; while mesh and view stay the same a call costs the match alone, and inner outputs up to
+   * Prepare makes what rays into the mesh on port 0 need. Preview runs the steps up to {Match} and gives its
+   * section; while mesh and view stay the same a call costs the match alone, and inner outputs up to
    * {Match} are those of the preview. The hold is the section that the last run matched.
    *
    * Drag: where the output was not remeshed it is that of vtkOversketchLaplacianDeform::Drag with the targets

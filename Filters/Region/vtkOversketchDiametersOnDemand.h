@@ -1,6 +1,9 @@
 /**
- * The array ShapeDiameter whose values are computed where a step asks for them, 0 until then. A plain array
- * for all who do not know it; a deep copy is one. For use in the .cxx of filters; not wrapped.
+ * @class vtkOversketchDiametersOnDemand
+ * @brief the array ShapeDiameter whose values are computed where a step asks for them
+ *
+ * A value is 0 until then. A plain array for all who do not know it; a deep copy is one. For use in the .cxx
+ * of filters; not wrapped.
  */
 #ifndef vtkOversketchDiametersOnDemand_h
 #define vtkOversketchDiametersOnDemand_h
