@@ -100,7 +100,7 @@ struct vtkOversketchOneStroke::Pipeline
   MadeMesh& Made(const char* stage);
   // One byte per point of the mesh that a step made.
   std::vector<char> RegionOf(const char* stage);
-  // What its folds and its roughness are told by; until the next call.
+  // The part that its folds and its roughness are told by; until the next call.
   const oversketch::JudgedPart& PartOf(const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;
 

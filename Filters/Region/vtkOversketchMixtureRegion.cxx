@@ -4,14 +4,13 @@
 #include "OpenCL/device.h"
 #include "Region/border.h"
 #include "Region/grow.h"
-#include "vtkOversketchBindings.h"
 #include "vtkOversketchDiametersOnDemand.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchHandleSection.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
@@ -80,145 +79,6 @@ constexpr int mostSamples = 2048; // for a mixture
 // How far from a seed a sample for the mixture of too few seeds may lie, along edges, of half the bounding
 // box's diagonal: the paper's tolerance, whose unit is not told.
 constexpr double seedTolerance = 0.1;
-
-double SectionLengthOf(vtkPolyData* handles)
-{
-  vtkDataArray* array = handles->GetFieldData()->GetArray("SectionLength");
-  const double length = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0)
-                                                                 : std::numeric_limits<double>::quiet_NaN();
-  if (!(length >= 0.0))
-  {
-    throw Error(Failure::MissingArray,
-      "The handles have no field array SectionLength of one value, the length of the matched section: make "
-      "them with vtkOversketchTargets, or turn LimitRunaway, ReachEnds, ConfineToSection and IgnoreNoise off "
-      "and "
-      "leave {Reach} at 0.");
-  }
-  return length;
-}
-
-// What the region reads of the handles.
-struct Section
-{
-  std::vector<int> seeds; // the vertices that the section's edges end at, ascending
-  std::array<std::vector<int>, 2>
-    ends;                // of each margin those that the stroke moves, and the seeds next to it
-  double chord = 0.0;    // between its ends [model length]
-  double movement = 0.0; // the largest, where it was asked for
-  double depth = 0.0;    // the largest into the surface, likewise
-};
-
-// moved: whether it matters how far the stroke moves it.
-Section SectionOf(vtkPolyData* handles, const MeshData& mesh, double margin, bool reachEnds, bool moved)
-{
-  const int vertexCount = mesh.Surface().vertexCount();
-  const vtkIdType count = handles->GetNumberOfPoints();
-  if (count == 0)
-  {
-    throw Error(Failure::BadRegion, "There are no handles to grow a region from; match a stroke first.");
-  }
-  const std::string remedy = "take them from vtkOversketchTargets";
-  vtkPointData* data = handles->GetPointData();
-  const std::vector<Binding> bindings = ReadBindings(handles, vertexCount, "handles", remedy);
-  vtkDataArray* positions = RequireArray(data, "RelativePosition", 1, count, "handles", remedy);
-  std::vector<double> moves(static_cast<std::size_t>(count), 0.0);
-  double moving = 0.0;
-  Section section;
-  if (moved)
-  {
-    vtkDataArray* targets = RequireArray(data, "UnmergedTarget", 3, count, "handles", remedy);
-    for (vtkIdType h = 0; h < count; ++h)
-    {
-      Vector3 place, target;
-      handles->GetPoint(h, place.data());
-      targets->GetTuple(h, target.data());
-      moves[h] = (target - place).norm();
-      const Binding& binding = bindings[static_cast<std::size_t>(h)];
-      Vector3 outwards = Vector3::Zero();
-      for (int k = 0; k < 3; ++k)
-      {
-        outwards += binding.weights[k] * mesh.Normals()[static_cast<std::size_t>(binding.vertices[k])];
-      }
-      section.depth = std::max(section.depth, (place - target).dot(outwards.normalized()));
-    }
-    section.movement = *std::max_element(moves.begin(), moves.end());
-    // Less is a hand that follows the outline.
-    moving = std::max(0.05 * section.movement, 0.001 * SectionLengthOf(handles));
-  }
-  const auto add = [&](vtkIdType h, std::vector<int>& list)
-  {
-    const Binding& binding = bindings[static_cast<std::size_t>(h)];
-    for (int k = 0; k < 3; ++k)
-    {
-      if (binding.weights[k] > 0.0)
-      {
-        list.push_back(binding.vertices[k]);
-      }
-    }
-  };
-  vtkIdType first = -1, last = -1; // seeds by position
-  for (vtkIdType h = 0; h < count; ++h)
-  {
-    const double position = positions->GetComponent(h, 0);
-    if (position >= margin && position <= 1.0 - margin)
-    {
-      add(h, section.seeds);
-      first = first < 0 || position < positions->GetComponent(first, 0) ? h : first;
-      last = last < 0 || position > positions->GetComponent(last, 0) ? h : last;
-    }
-    else if (reachEnds && moves[h] > moving)
-    {
-      add(h, section.ends[position < margin ? 0 : 1]);
-    }
-  }
-  if (first >= 0)
-  {
-    add(first, section.ends[0]);
-    add(last, section.ends[1]);
-  }
-  const auto farthest = [&](bool end)
-  {
-    vtkIdType found = 0;
-    for (vtkIdType h = 1; h < count; ++h)
-    {
-      const bool beyond = end ? positions->GetComponent(h, 0) > positions->GetComponent(found, 0)
-                              : positions->GetComponent(h, 0) < positions->GetComponent(found, 0);
-      found = beyond ? h : found;
-    }
-    Vector3 place;
-    handles->GetPoint(found, place.data());
-    return place;
-  };
-  section.chord = (farthest(true) - farthest(false)).norm();
-  for (std::vector<int>* list : { &section.seeds, &section.ends[0], &section.ends[1] })
-  {
-    sortUnique(*list);
-  }
-  return section;
-}
-
-// What half of the section reaches [model length].
-double ReachOf(const Section& section, double length)
-{
-  const double straight = length > 0.0 ? std::min(section.chord / length, 1.0) : 1.0;
-  return (0.5 - 0.25 * straight) * length;
-}
-
-// Whether the section is one of a limb of such a diameter, which moves as a whole.
-bool OfLimb(const Section& section, double length, double diameter)
-{
-  return diameter <= 1.25 * ReachOf(section, length);
-}
-
-// How far round it a body moves with the section [model length].
-double NearOf(const Section& section, double length, double diameter)
-{
-  const double near = ReachOf(section, length), radius = 0.5 * diameter;
-  // No steeper than the stroke's own flanks are; and so far that what is beside it does not become the
-  // outline.
-  const double beside = 1.5 * radius * std::acos(std::clamp(1.0 - section.depth / radius, -1.0, 1.0));
-  return std::max({ near, 1.25 * section.movement, beside });
-}
 
 std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
 {
@@ -567,7 +427,7 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
       ArrayOf<vtkUnsignedCharArray>("ShapeDiameterKnown", known) };
     for (std::size_t v = 0; v < known.size(); ++v)
     {
-      // What growing has foreseen beyond is left out: it depends on what was asked for before.
+      // Vertices beyond, which growing has foreseen, are left out: which they are depends on earlier strokes.
       evidence.ratio[v] = known[v] ? evidence.ratio[v] : -std::numeric_limits<double>::infinity();
     }
   }

@@ -192,7 +192,7 @@ public:
   std::vector<Triangle> Triangles; // empty where nothing was split
   std::vector<int> Vertices;       // per point, in the last remeshing
   std::vector<int> Whole;          // per point, the point of the mesh that it is; -1 for a mix
-  // What a point is that is no point of the mesh.
+  // The mix that a point is which is none of the mesh.
   const Mix& MixedOf(vtkIdType point) const
   {
     return this->Mixes[static_cast<std::size_t>(this->MixOf[static_cast<std::size_t>(point)])];

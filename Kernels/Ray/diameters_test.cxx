@@ -1,6 +1,6 @@
 // Diameters where they are asked for: the same as all at once, whatever is asked for in whatever order.
 #include "Harness/shapes.h"
-#include "Harness/three_threads.h"
+#include "Harness/threads.h"
 #include "Ray/shape_diameter.h"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
         for (int first = 0; first < mesh.vertexCount() / 3; first += size)
         {
           const int last = std::min(first + size, mesh.vertexCount());
-          some.require({ order.begin() + first, order.begin() + last }, threeThreads());
+          some.require({ order.begin() + first, order.begin() + last }, withThreads(3));
           std::for_each(order.begin() + first, order.begin() + last, [&](int v) { asked[v] = 1; });
         }
         for (int v = 0; v < mesh.vertexCount(); ++v)
@@ -98,7 +98,7 @@ TEST(Diameters, AreTheSameInAnyOrderAndCompany)
           ASSERT_TRUE(some.knows(v) || !asked[v]) << v;
           ASSERT_EQ(some.values()[v], some.knows(v) ? whole.diameter[v] : 0.0) << v;
         }
-        some.requireAll(threeThreads());
+        some.requireAll(withThreads(3));
         EXPECT_EQ(some.values(), whole.diameter);
         EXPECT_EQ(some.result().measured, whole.measured);
         EXPECT_EQ(some.result().raysCast, whole.raysCast);

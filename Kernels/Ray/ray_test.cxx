@@ -1,5 +1,5 @@
 #include "Harness/shapes.h"
-#include "Harness/three_threads.h"
+#include "Harness/threads.h"
 #include "Ray/bvh.h"
 #include "Ray/ray_caster.h"
 #include "Ray/shape_diameter.h"
@@ -347,7 +347,7 @@ TEST(Ray, HitsDoNotDependOnThreadsOrOrder)
   for (const Backend backend : { Backend::OpenCL, Backend::Host })
   {
     const auto one = computeShapeDiameter(mesh, adjacency, normals, on(backend), Context());
-    const auto three = computeShapeDiameter(mesh, adjacency, normals, on(backend), threeThreads());
+    const auto three = computeShapeDiameter(mesh, adjacency, normals, on(backend), withThreads(3));
     EXPECT_EQ(one.diameter, three.diameter);
   }
 }

@@ -96,7 +96,7 @@ public:
     std::vector<ConeHit>* hits = nullptr);
   void requireAll(const Context& context, std::vector<ConeHit>* hits = nullptr);
 
-  // Lets go of what rays need, some 140 bytes a triangle, which is made again when it is.
+  // Lets go of what rays need, some 150 bytes a triangle, which is made again when it is.
   void rest();
 
   bool knows(int vertex) const { return this->States[vertex] == State::Known; }

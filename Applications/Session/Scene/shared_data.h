@@ -26,7 +26,7 @@ vtkSmartPointer<Data> shallowCopyOf(Data* data)
   return copy;
 }
 
-// One that nobody else holds anything of.
+// Data that nobody else holds anything of.
 inline vtkSmartPointer<vtkPolyData> deepCopyOf(vtkPolyData* data)
 {
   auto copy = vtkSmartPointer<vtkPolyData>::New();

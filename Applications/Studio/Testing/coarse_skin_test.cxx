@@ -1,4 +1,4 @@
-// What is drawn of a large model while the hand moves, by a clock that the test turns: a coarser skin where
+// The drawing of a large model while the hand moves, by a clock that the test turns: a coarser skin where
 // the last frame of the whole one was late, and else the whole one.
 #include "coarse_skin.h"
 #include "display.h"

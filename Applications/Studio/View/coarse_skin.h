@@ -19,7 +19,7 @@ public:
   // as a frame. There is none where so few show no form.
   void make(vtkPolyData* mesh, vtkIdType most);
   void clear();
-  // What stands in for a mesh; null where none was made of its faces.
+  // The skin that stands in for a mesh; null where none was made of its faces.
   vtkPolyData* of(vtkPolyData* mesh);
 
 private:

@@ -45,7 +45,7 @@ std::string onTwoLines(std::string text)
   return text;
 }
 
-// Of the lines, likewise.
+// px of the lines that are drawn, as Qt counts them.
 constexpr double levelStep = 4.0; // from level to level
 constexpr double deepest = 72.0;  // that the line reaches down
 constexpr double further = 34.0;  // that the tip goes out

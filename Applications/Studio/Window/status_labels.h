@@ -1,4 +1,4 @@
-// What stands at the foot of the window.
+// Labels at the foot of the window.
 #ifndef oversketch_applications_studio_window_status_labels_h
 #define oversketch_applications_studio_window_status_labels_h
 

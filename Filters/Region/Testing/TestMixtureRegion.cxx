@@ -3,6 +3,7 @@
 #include "LimbedBodies.h"
 #include "Region/border.h"
 #include "Region/grow.h"
+#include "RegionPipeline.h"
 #include "vtkOversketchMixtureRegion.h"
 #include "vtkOversketchRegionBorder.h"
 #include "vtkOversketchShapeDiameter.h"
@@ -31,46 +32,6 @@ std::string percent(double value)
   stream << value;
   return stream.str();
 }
-
-// Mesh to border-smoothed region; handles from the tip of limb 1 where none are given.
-struct Pipeline
-{
-  Mesh mesh;
-  vtkNew<vtkOversketchShapeDiameter> diameter;
-  vtkNew<vtkOversketchMixtureRegion> region;
-  vtkNew<vtkOversketchRegionBorder> border;
-
-  explicit Pipeline(const Mesh& surface)
-    : mesh(surface)
-  {
-    this->diameter->SetInputData(toPolyData(surface));
-    this->region->SetInputConnection(this->diameter->GetOutputPort());
-    this->border->SetInputConnection(this->region->GetOutputPort());
-  }
-  void asPublished()
-  {
-    this->region->SetSeedMargin(0.0);
-    this->region->FillIslandsOff();
-    this->region->LimitRunawayOff();
-    this->region->CutAtJunctionOff();
-    this->region->ReachEndsOff();
-    this->region->ConfineToSectionOff();
-    this->region->EvenSamplesOff();
-    this->region->IgnoreNoiseOff();
-    this->diameter->TurnConesOff();
-    this->border->ConfineOff();
-  }
-  std::vector<char> grown()
-  {
-    this->region->Update();
-    return flagsOf(this->region->GetOutput(), "Region");
-  }
-  std::vector<char> smoothed()
-  {
-    this->border->Update();
-    return flagsOf(this->border->GetOutput(), "Region");
-  }
-};
 
 void expectSeedsHold(const Adjacency& adjacency,
   const std::vector<char>& region,
