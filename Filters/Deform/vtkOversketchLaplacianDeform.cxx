@@ -1,5 +1,6 @@
 #include "vtkOversketchLaplacianDeform.h"
 
+#include "Mesh/part.h"
 #include "Sparse/laplacian.h"
 #include "vtkOversketchBindings.h"
 #include "vtkOversketchFilterTools.h"
@@ -70,11 +71,12 @@ Context PartOf(const Context& whole, double from, double to)
 struct ShapeKey
 {
   MeshKey Mesh;
-  std::vector<char> Movable;
+  std::vector<int> Vertices; // of the part
+  std::vector<char> Movable; // of these
   bool AdjustNormals;
   bool operator==(const ShapeKey& other) const
   {
-    return this->Mesh == other.Mesh && this->Movable == other.Movable &&
+    return this->Mesh == other.Mesh && this->Vertices == other.Vertices && this->Movable == other.Movable &&
            this->AdjustNormals == other.AdjustNormals;
   }
 };
@@ -96,9 +98,11 @@ struct vtkOversketchLaplacianDeform::Cache
   std::vector<Binding> Bindings;
   double HandleWeight = 0.0;
   bool AdjustNormals = false;
-  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  std::shared_ptr<const LaplacianShape> Shape;
+  std::shared_ptr<const MeshData> Data;        // keeps the shared mesh alive between runs
+  std::unique_ptr<const MeshPart> Part;        // the region, with the handles
+  std::shared_ptr<const LaplacianShape> Shape; // of the part
   std::shared_ptr<FactorMemory> Memory = std::make_shared<FactorMemory>(); // from factor to factor
+  std::vector<Binding> Local;                                              // the bindings to the part
   std::unique_ptr<LaplacianSystem> System;
 
   MeshKey OutputKey;
@@ -110,6 +114,7 @@ struct vtkOversketchLaplacianDeform::Cache
   vtkSmartPointer<vtkDataArray> PointNormals;
   vtkSmartPointer<vtkDataArray> CellNormals;
 
+  void CutOut(const std::vector<char>& region, const std::vector<Binding>& bindings);
   void Write(vtkPolyData* input, const std::vector<Vector3>& moves);
   void PrepareDrag();
 };
@@ -124,68 +129,88 @@ vtkOversketchLaplacianDeform::vtkOversketchLaplacianDeform()
 
 vtkOversketchLaplacianDeform::~vtkOversketchLaplacianDeform() = default;
 
-// Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex.
+// Makes the part, and the bindings to it.
+void vtkOversketchLaplacianDeform::Cache::CutOut(const std::vector<char>& region,
+  const std::vector<Binding>& bindings)
+{
+  std::vector<int> held;
+  for (const Binding& binding : bindings)
+  {
+    held.insert(held.end(), binding.vertices.begin(), binding.vertices.end());
+  }
+  this->Part = std::make_unique<const MeshPart>(this->Data->Surface(), region, ThreadsOnly(), held);
+  this->Local = bindings;
+  for (Binding& binding : this->Local)
+  {
+    for (int& v : binding.vertices)
+    {
+      v = this->Part->at(v);
+    }
+  }
+}
+
+// Makes Points, PointNormals and CellNormals from the input and the displacement of each vertex of the part.
 void vtkOversketchLaplacianDeform::Cache::Write(vtkPolyData* input, const std::vector<Vector3>& moves)
 {
   const Mesh& before = this->Data->Surface();
-  std::vector<std::pair<int, Vector3>> places;
-  for (int v = 0; v < before.vertexCount(); ++v)
+  Mesh after = this->Part->mesh;
+  std::vector<char> isMoved(moves.size(), 0), touched(moves.size(), 0);
+  std::vector<std::pair<int, Vector3>> changed;
+  for (int v = 0; v < after.vertexCount(); ++v)
   {
     if (moves[v] != Vector3::Zero())
     {
-      places.emplace_back(v, before.points[v] + moves[v]);
+      isMoved[v] = 1;
+      after.points[v] += moves[v];
+      changed.emplace_back(this->Part->vertices[v], after.points[v]);
     }
   }
-  this->Points = WithPlaces(input->GetPoints(), places);
+  this->Points = WithPlaces(input->GetPoints(), changed);
   this->PointNormals = nullptr;
   this->CellNormals = nullptr;
-  vtkDataArray* pointNormals = input->GetPointData()->GetNormals();
-  vtkDataArray* cellNormals = input->GetCellData()->GetNormals();
-  const bool turnsPoints = UsableNormals(pointNormals, before.vertexCount());
-  const bool turnsCells = UsableNormals(cellNormals, before.triangleCount());
-  if (!turnsPoints && !turnsCells)
+  for (const Triangle& c : after.triangles)
   {
-    return;
-  }
-  Mesh after = before;
-  std::vector<char> isMoved(moves.size(), 0), touched(moves.size(), 0);
-  for (const auto& [v, place] : places)
-  {
-    isMoved[v] = 1;
-    after.points[v] = place;
-  }
-  std::vector<std::pair<int, Vector3>> changed;
-  for (int t = 0; t < after.triangleCount(); ++t)
-  {
-    const Triangle& c = after.triangles[t];
     if (isMoved[c[0]] || isMoved[c[1]] || isMoved[c[2]])
     {
       touched[c[0]] = touched[c[1]] = touched[c[2]] = 1;
-      changed.emplace_back(t, facetNormal(after, t));
     }
   }
-  if (turnsCells)
-  {
-    this->CellNormals = WithNormals(cellNormals, changed);
-  }
-  if (turnsPoints)
+  vtkDataArray* pointNormals = input->GetPointData()->GetNormals();
+  if (UsableNormals(pointNormals, before.vertexCount()))
   {
     changed.clear();
     for (int v = 0; v < after.vertexCount(); ++v)
     {
       if (touched[v])
       {
-        changed.emplace_back(v, vertexNormal(after, this->Data->Neighbours().vertexTriangles, v));
+        changed.emplace_back(
+          this->Part->vertices[v], vertexNormal(after, this->Part->adjacency.vertexTriangles, v));
       }
     }
     this->PointNormals = WithNormals(pointNormals, changed);
+  }
+  vtkDataArray* cellNormals = input->GetCellData()->GetNormals();
+  if (UsableNormals(cellNormals, before.triangleCount()))
+  {
+    changed.clear();
+    for (int i = 0; i < after.triangleCount(); ++i)
+    {
+      const Triangle& c = after.triangles[i];
+      if (isMoved[c[0]] || isMoved[c[1]] || isMoved[c[2]])
+      {
+        changed.emplace_back(this->Part->triangles[i], facetNormal(after, i));
+      }
+    }
+    this->CellNormals = WithNormals(cellNormals, changed);
   }
 }
 
 // From the factor.
 void vtkOversketchLaplacianDeform::Cache::PrepareDrag()
 {
-  oversketch::Drag drag{ this->Shape->vertices, {}, this->System->response(this->Shares, Context()) };
+  oversketch::Drag drag{
+    valuesAt(this->Part->vertices, this->Shape->vertices), {}, this->System->response(this->Shares, Context())
+  };
   drag.rest.reserve(drag.vertices.size());
   for (std::size_t i = 0; i < drag.vertices.size(); ++i)
   {
@@ -234,7 +259,7 @@ bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* 
     if (!cache.System)
     {
       cache.System = std::make_unique<LaplacianSystem>(
-        cache.Shape, cache.Bindings, cache.HandleWeight, Context(), cache.Memory);
+        cache.Shape, cache.Local, cache.HandleWeight, Context(), cache.Memory);
       ++this->FactorizationCount;
     }
     cache.PrepareDrag();
@@ -275,15 +300,17 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
     cache.System.reset();
     cache.Points = nullptr;
     cache.Data = SharedMesh(input);
+    cache.CutOut(region, handles.Bindings);
+    const MeshPart& part = *cache.Part;
     const ShapeKey key{
-      systemKey, movableVertices(cache.Data->Neighbours(), region, handles.Bindings), this->AdjustNormals
+      systemKey, part.vertices, movableVertices(part.adjacency, part.region, cache.Local), this->AdjustNormals
     };
     auto shape = Shapes().Find(key);
     if (!shape)
     {
       cache.Shape = nullptr;
-      shape = std::make_shared<LaplacianShape>(cache.Data->Surface(),
-        cache.Data->Neighbours(),
+      shape = std::make_shared<LaplacianShape>(part.mesh,
+        part.adjacency,
         key.Movable,
         true, // border vertices keep their Laplacian, too: a C1 join
         this->AdjustNormals,
@@ -293,7 +320,7 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
     }
     cache.Shape = shape;
     auto system = std::make_unique<LaplacianSystem>(
-      cache.Shape, handles.Bindings, this->HandleWeight, PartOf(context, 0.4, 0.9), cache.Memory);
+      cache.Shape, cache.Local, this->HandleWeight, PartOf(context, 0.4, 0.9), cache.Memory);
     ++this->FactorizationCount;
     cache.System = std::move(system);
     cache.Region = region;
@@ -311,11 +338,11 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
     this->MovableCount = cache.System->movableCount();
     this->ActiveHandleCount = 0;
     this->MeanHandleResidual = this->MaximumHandleResidual = 0.0;
-    for (int h = 0; h < static_cast<int>(handles.Bindings.size()); ++h)
+    for (int h = 0; h < static_cast<int>(cache.Local.size()); ++h)
     {
       if (cache.System->handleActive(h))
       {
-        const double residual = (handles.Bindings[h].of(moves) - handles.Displacements[h]).norm();
+        const double residual = (cache.Local[h].of(moves) - handles.Displacements[h]).norm();
         this->MeanHandleResidual += residual;
         this->MaximumHandleResidual = std::max(this->MaximumHandleResidual, residual);
         ++this->ActiveHandleCount;

@@ -26,7 +26,7 @@ vtkOversketchOneStroke::Pipeline::MadeMesh& vtkOversketchOneStroke::Pipeline::Ma
   return made;
 }
 
-const JudgedPart& vtkOversketchOneStroke::Pipeline::PartOf(const char* stage)
+const MeshPart& vtkOversketchOneStroke::Pipeline::PartOf(const char* stage)
 {
   MadeMesh& made = this->Made(stage);
   for (const auto& [name, other] : this->MadeMeshes)
@@ -38,7 +38,7 @@ const JudgedPart& vtkOversketchOneStroke::Pipeline::PartOf(const char* stage)
   }
   if (!made.Part)
   {
-    made.Part = std::make_shared<JudgedPart>(made.Data->Surface(), this->RegionOf(stage), ThreadsOnly());
+    made.Part = std::make_shared<MeshPart>(made.Data->Surface(), this->RegionOf(stage), ThreadsOnly());
   }
   made.Part->place(made.Data->Surface());
   return *made.Part;
@@ -49,7 +49,7 @@ int vtkOversketchOneStroke::Pipeline::Folds(const char* stage)
   MadeMesh& made = this->Made(stage);
   if (!made.Folds)
   {
-    const JudgedPart& part = this->PartOf(stage);
+    const MeshPart& part = this->PartOf(stage);
     made.Folds = foldedEdges(part.mesh, part.adjacency, part.region, ThreadsOnly());
   }
   return *made.Folds;
@@ -60,7 +60,7 @@ const Roughness& vtkOversketchOneStroke::Pipeline::Rough(const char* stage)
   MadeMesh& made = this->Made(stage);
   if (!made.Rough)
   {
-    const JudgedPart& part = this->PartOf(stage);
+    const MeshPart& part = this->PartOf(stage);
     made.Rough = roughness(part.mesh, part.adjacency, part.region, ThreadsOnly());
   }
   return *made.Rough;

@@ -219,7 +219,7 @@ void vtkOversketchOneStroke::Pipeline::RunCurves()
 bool vtkOversketchOneStroke::Pipeline::WantsRemeshing()
 {
   const oversketch::Mesh before = this->PartOf("RegionBorder").mesh;
-  const JudgedPart& part = this->PartOf(this->Deformation);
+  const MeshPart& part = this->PartOf(this->Deformation);
   return wantsRemeshing(before, part.mesh, part.region);
 }
 

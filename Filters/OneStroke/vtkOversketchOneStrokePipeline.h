@@ -6,6 +6,7 @@
 #include "vtkOversketchOneStroke.h"
 
 #include "Intersection/crossing_faces.h"
+#include "Mesh/part.h"
 #include "Silhouette/effect.h"
 #include "Silhouette/facing.h"
 #include "vtkOversketchCorrection.h"
@@ -88,7 +89,7 @@ struct vtkOversketchOneStroke::Pipeline
   struct MadeMesh
   {
     std::shared_ptr<const oversketch::MeshData> Data;
-    std::shared_ptr<oversketch::JudgedPart> Part; // one for all that have the same triangles
+    std::shared_ptr<oversketch::MeshPart> Part; // one for all that have the same triangles
     std::optional<int> Folds;
     std::optional<oversketch::StrokeOutline> Outline;
     std::optional<oversketch::OutlineError> OutlineMissed;
@@ -101,7 +102,7 @@ struct vtkOversketchOneStroke::Pipeline
   // One byte per point of the mesh that a step made.
   std::vector<char> RegionOf(const char* stage);
   // The part that its folds and its roughness are told by; until the next call.
-  const oversketch::JudgedPart& PartOf(const char* stage);
+  const oversketch::MeshPart& PartOf(const char* stage);
   std::map<std::string, MadeMesh> MadeMeshes;
 
   vtkOversketchOneStroke* Self;

@@ -502,7 +502,7 @@ bool Patch::collapse(int h, double longest)
   return true;
 }
 
-bool Patch::flip(int h, bool byAngle)
+bool Patch::flippable(int h, bool byAngle) const
 {
   if (!this->inner(h) || this->protectedEdge(h))
   {
@@ -521,7 +521,6 @@ bool Patch::flip(int h, bool byAngle)
   {
     return false;
   }
-  const int t0 = h / 3, t1 = g / 3;
   const Vector3 &pa = this->Points[a], &pb = this->Points[b], &pc = this->Points[c], &pd = this->Points[d];
   const Vector3 before[2] = { this->cross(pa, pb, pc), this->cross(pb, pa, pd) };
   const Vector3 after[2] = { this->cross(pa, pd, pc), this->cross(pd, pb, pc) };
@@ -560,7 +559,14 @@ bool Patch::flip(int h, bool byAngle)
       return false;
     }
   }
+  return true;
+}
 
+void Patch::flip(int h)
+{
+  const int g = this->Twin[h], t0 = h / 3, t1 = g / 3;
+  const int h1 = nextHalfEdge(h), h2 = previousHalfEdge(h), g1 = nextHalfEdge(g), g2 = previousHalfEdge(g);
+  const int a = this->origin(h), b = this->origin(h1), c = this->origin(h2), d = this->origin(g2);
   const int twins[4] = { this->Twin[h1], this->Twin[h2], this->Twin[g1], this->Twin[g2] };
   const char kept[4] = { this->Kept[h1], this->Kept[h2], this->Kept[g1], this->Kept[g2] };
   this->set(t0, a, d, c);
@@ -582,7 +588,6 @@ bool Patch::flip(int h, bool byAngle)
   --this->Valence[b];
   ++this->Valence[c];
   ++this->Valence[d];
-  return true;
 }
 
 } // namespace oversketch

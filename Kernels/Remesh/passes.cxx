@@ -134,12 +134,43 @@ int collapseAll(Patch& patch, double shortest, double longest, Steps& steps)
   return made;
 }
 
+// In turn, as if each edge were looked at when its turn comes: what it was at the start, threaded, holds
+// until a flip at one of the corners of its triangles.
 int flipAll(Patch& patch, bool byAngle, Steps& steps)
 {
-  int made = 0;
-  for (int t = 0; t < patch.triangleCount(); ++t)
+  std::vector<char> open(3 * static_cast<std::size_t>(patch.triangleCount()), 0); // half-edges to look at
+  for (const int h :
+    edgesWhere(patch, steps.context, [&](int edge) { return patch.flippable(edge, byAngle); }))
   {
-    patch.eachEdge(t, [&](int h) { made += patch.flip(h, byAngle) ? 1 : 0; });
+    open[h] = 1;
+  }
+  const auto reopen = [&](int t)
+  {
+    for (int h = 3 * t; h < 3 * t + 3; ++h)
+    {
+      open[h] = 1;
+      if (patch.inner(h))
+      {
+        open[patch.twin(h)] = 1;
+      }
+    }
+  };
+  int made = 0;
+  for (auto next = std::find(open.begin(), open.end(), 1); next != open.end();
+       next = std::find(next + 1, open.end(), 1))
+  {
+    const int h = static_cast<int>(next - open.begin());
+    if (patch.aliveTriangle(h / 3) && patch.twin(h) < h && patch.flippable(h, byAngle))
+    {
+      const Triangle one = patch.triangle(h / 3);
+      const int opposite = patch.origin(previousHalfEdge(patch.twin(h)));
+      patch.flip(h);
+      for (const int v : { one[0], one[1], one[2], opposite })
+      {
+        patch.eachTriangleAt(v, reopen);
+      }
+      ++made;
+    }
     steps.tick();
   }
   steps.next();

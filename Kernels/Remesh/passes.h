@@ -62,8 +62,9 @@ int flipByAngle(Patch& patch, std::vector<int>& queue, const Allowed& allowed, c
       continue;
     }
     const Vector3 &a = patch.point(patch.origin(h)), &b = patch.point(patch.target(h));
-    if ((isWide(h, a, b) || isWide(g, a, b)) && allowed(h) && patch.flip(h, true))
+    if ((isWide(h, a, b) || isWide(g, a, b)) && allowed(h) && patch.flippable(h, true))
     {
+      patch.flip(h);
       int now = -1;
       for (const int t : { h / 3, g / 3 })
       {

@@ -132,7 +132,7 @@ public:
     return (this->Points[a] - this->Points[b]).squaredNorm() / (size * size);
   }
 
-  // Each does its move and returns true, or finds it unsafe or of no use and changes nothing.
+  // Split and collapse do their move, or find it unsafe or of no use and change nothing.
   // Puts a vertex at the middle of an edge, on the surface; -1 if refused (a folded edge, flat or folded
   // halves). neighbours: vertices it is joined to, -1 fill.
   int split(int h, std::array<int, 4>& neighbours);
@@ -147,8 +147,29 @@ public:
   // Removes the half-edge's origin by merging it into its target, unless an edge longer than `longest`
   // (relative) would come.
   bool collapse(int h, double longest);
-  // Flips towards valence 6 (4 on a border); byAngle: towards larger smallest angles.
-  bool flip(int h, bool byAngle);
+  // Whether a flip is safe and goes towards valence 6 (4 on a border); byAngle: towards larger smallest
+  // angles. Reads the triangles at the four corners of the edge's two, and nothing else.
+  bool flippable(int h, bool byAngle) const;
+  void flip(int h);
+  // Calls visit(t) for the triangles of the patch at a vertex.
+  template <typename Visit>
+  void eachTriangleAt(int v, Visit&& visit) const
+  {
+    if (this->Listed[v] >= 0)
+    {
+      for (const int t : this->Lists[this->Listed[v]])
+      {
+        visit(t);
+      }
+      return;
+    }
+    int h = this->Out[v];
+    do
+    {
+      visit(h / 3);
+      h = this->Twin[previousHalfEdge(h)];
+    } while (h != this->Out[v]);
+  }
 
 private:
   static constexpr int borderEdge = -1; // in Twin

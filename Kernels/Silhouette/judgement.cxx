@@ -40,46 +40,6 @@ double leastDistance(const std::vector<NearestPlace>& places, const Vector2& p)
 
 } // namespace
 
-JudgedPart::JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context)
-{
-  std::vector<char> near = regionVertex, touched(whole.triangles.size());
-  const auto trianglesAt = [&](const std::vector<char>& chosen)
-  {
-    context.each(whole.triangleCount(),
-      [&](int i)
-      {
-        const Triangle& t = whole.triangles[i];
-        touched[i] = static_cast<char>(chosen[t[0]] | chosen[t[1]] | chosen[t[2]]);
-      });
-    return valuesAt(whole.triangles, marked(touched));
-  };
-  for (const Triangle& t : trianglesAt(regionVertex))
-  {
-    near[t[0]] = near[t[1]] = near[t[2]] = 1;
-  }
-  this->mesh.triangles = trianglesAt(near);
-  std::vector<int> number(whole.points.size(), -1);
-  for (const Triangle& t : this->mesh.triangles)
-  {
-    number[t[0]] = number[t[1]] = number[t[2]] = 0;
-  }
-  for (int v = 0; v < whole.vertexCount(); ++v)
-  {
-    if (number[v] == 0)
-    {
-      number[v] = static_cast<int>(this->vertices.size());
-      this->vertices.push_back(v);
-      this->region.push_back(regionVertex[v]);
-    }
-  }
-  for (Triangle& t : this->mesh.triangles)
-  {
-    t = { number[t[0]], number[t[1]], number[t[2]] };
-  }
-  this->place(whole);
-  this->adjacency = buildAdjacency(this->mesh, context);
-}
-
 int foldedEdges(const Mesh& mesh,
   const Adjacency& adjacency,
   const std::vector<char>& regionVertex,

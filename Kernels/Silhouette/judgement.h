@@ -14,20 +14,6 @@
 namespace oversketch
 {
 
-// A region (one byte per vertex) and two rings round it as a mesh of its own, in the order of the whole:
-// folds and roughness are those of the whole mesh, which need not be linked for them.
-struct JudgedPart
-{
-  std::vector<int> vertices; // of the whole
-  Mesh mesh;
-  Adjacency adjacency;
-  std::vector<char> region;
-
-  JudgedPart(const Mesh& whole, const std::vector<char>& regionVertex, const Context& context = Context());
-  // Takes the points of another whole with the same triangles.
-  void place(const Mesh& whole) { this->mesh.points = valuesAt(whole.points, this->vertices); }
-};
-
 // Edges whose two triangles have normals over 100 degrees apart, in the region (one byte per vertex) and two
 // rings round it: elsewhere they are the same before and after.
 int foldedEdges(const Mesh& mesh,

@@ -1,4 +1,5 @@
 #include "Harness/shapes.h"
+#include "Mesh/part.h"
 #include "Silhouette/judgement.h"
 
 #include <gtest/gtest.h>
@@ -136,14 +137,14 @@ TEST(Judgement, APartIsJudgedAsTheWholeIs)
       region.begin(),
       [&](const Vector3& p) { return static_cast<char>((p - middle).norm() < radius); });
     const Adjacency adjacency = buildAdjacency(mesh);
-    JudgedPart part({ std::vector<Vector3>(mesh.points.size(), Vector3::Zero()), mesh.triangles }, region);
+    MeshPart part({ std::vector<Vector3>(mesh.points.size(), Vector3::Zero()), mesh.triangles }, region);
     part.place(mesh);
     const Roughness rough = roughness(mesh, adjacency, region),
                     own = roughness(part.mesh, part.adjacency, part.region);
     EXPECT_EQ(foldedEdges(part.mesh, part.adjacency, part.region), foldedEdges(mesh, adjacency, region));
     EXPECT_EQ(own.meanAngle, rough.meanAngle);
     EXPECT_EQ(own.sharpShare, rough.sharpShare);
-    EXPECT_LT(JudgedPart(mesh, std::vector<char>(mesh.points.size(), 0)).mesh.vertexCount(), 1);
+    EXPECT_LT(MeshPart(mesh, std::vector<char>(mesh.points.size(), 0)).mesh.vertexCount(), 1);
     folds += foldedEdges(mesh, adjacency, region);
   }
   EXPECT_GT(folds, 100);
