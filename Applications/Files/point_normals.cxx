@@ -27,10 +27,14 @@ vtkSmartPointer<vtkPolyData> withPointNormals(vtkPolyData* mesh)
   vtkNew<vtkPolyData> bare;
   bare->SetPoints(mesh->GetPoints());
   bare->SetPolys(own);
-  vtkNew<vtkTriangleFilter> triangles; // of a mesh of quads; points stay
-  triangles->SetInputData(bare);
-  triangles->Update();
-  oversketch::Mesh surface = oversketch::MeshOf(triangles->GetOutput());
+  if (own->IsHomogeneous() != 3)
+  {
+    vtkNew<vtkTriangleFilter> triangles; // points stay
+    triangles->SetInputData(bare);
+    triangles->Update();
+    bare->SetPolys(triangles->GetOutput()->GetPolys());
+  }
+  oversketch::Mesh surface = oversketch::MeshOf(bare);
   std::vector<int> places; // only where a seam can be
   if (mesh->GetPointData()->GetTCoords())
   {

@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -131,11 +132,23 @@ using Edge = std::pair<vtkIdType, vtkIdType>; // of points
 std::vector<Edge> edgesOf(const Surface& surface)
 {
   const vtkIdType count = surface.faces->GetNumberOfCells();
-  std::vector<bool> isBent(static_cast<std::size_t>(surface.points->GetNumberOfPoints()));
+  std::vector<char> bent(static_cast<std::size_t>(count), 0); // faces with such a point
   const double least = cosine(0.45 * edge);
+  const auto look = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType cell = begin; cell < end; ++cell)
+    {
+      const SharpFace face = surface.face(cell);
+      bent[static_cast<std::size_t>(cell)] = std::any_of(
+        face.points, face.points + face.count, [&](vtkIdType at) { return surface.bend(face, at) < least; });
+    }
+  };
+  // Others give out their points by way of one list.
+  surface.faces->IsStorage64Bit() ? vtkSMPTools::For(0, count, look) : look(0, count);
+  std::vector<bool> isBent(static_cast<std::size_t>(surface.points->GetNumberOfPoints()));
   for (vtkIdType cell = 0; cell < count; ++cell)
   {
-    const SharpFace face = surface.face(cell);
+    const SharpFace face = bent[static_cast<std::size_t>(cell)] ? surface.face(cell) : SharpFace();
     for (vtkIdType i = 0; i < face.count; ++i)
     {
       if (surface.bend(face, face.points[i]) < least)

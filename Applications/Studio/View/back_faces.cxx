@@ -83,14 +83,13 @@ bool BackFaces::boundBody(vtkPolyData* mesh)
   std::uint64_t left = 0; // of all edges there and back
   double centre[3];
   mesh->GetCenter(centre);
-  std::vector<double> volumes(mesh->GetNumberOfPoints(), 0.0); // by a face's first point, then by a part's
-  const auto at = [&](vtkIdType point)
+  std::vector<std::array<double, 3>> places(parents.size());
+  for (std::size_t point = 0; point < places.size(); ++point)
   {
-    std::array<double, 3> place{};
-    mesh->GetPoint(point, place.data());
-    vtkMath::Subtract(place, centre, place);
-    return place;
-  };
+    mesh->GetPoint(static_cast<vtkIdType>(point), places[point].data());
+    vtkMath::Subtract(places[point], centre, places[point]);
+  }
+  std::vector<double> volumes(parents.size(), 0.0); // by a face's first point, then by a part's
   const auto faces = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
   for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
   {
@@ -105,14 +104,16 @@ bool BackFaces::boundBody(vtkPolyData* mesh)
       const std::uint64_t edge =
         a == b ? 0 : scattered(low * static_cast<std::uint64_t>(parents.size()) + high);
       left += a < b ? edge : ~edge + 1U;
-      parents[rootOf(parents, a)] = rootOf(parents, b);
+      if (i > 0)
+      {
+        parents[rootOf(parents, a)] = rootOf(parents, points[0]);
+      }
     }
-    const auto first = count > 2 ? at(points[0]) : std::array<double, 3>{};
     for (vtkIdType i = 2; i < count; ++i)
     {
       double cross[3];
-      vtkMath::Cross(at(points[i - 1]).data(), at(points[i]).data(), cross);
-      volumes[points[0]] += vtkMath::Dot(first.data(), cross);
+      vtkMath::Cross(places[points[i - 1]].data(), places[points[i]].data(), cross);
+      volumes[points[0]] += vtkMath::Dot(places[points[0]].data(), cross);
     }
   }
   if (left != 0)
