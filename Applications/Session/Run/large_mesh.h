@@ -13,20 +13,21 @@ namespace oversketch_session
 
 using Progress = oversketch::StepRunner::Listener;
 
-constexpr vtkIdType mostTriangles = 8000000;
+constexpr vtkIdType mostTriangles = 8000000, proxyTriangles = 500000;
 
 bool isLarge(vtkPolyData* mesh, vtkIdType most = mostTriangles);
 
 // Both throw oversketch::Error where they cannot, and are null where cancelled.
 
-// The proxy (vtkOversketchProxy), with point array Origin, by which steps hand on where its points were.
-vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress = {});
+// The proxy (vtkOversketchProxy) of about that many triangles, with point array Origin, by which steps hand
+// on where its points were.
+vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh,
+  const Progress& progress = {},
+  vtkIdType triangles = proxyTriangles);
 
 // The mesh, moved as its proxy was by all steps on it (vtkOversketchDetailTransfer); triangles and arrays are
 // its own.
-vtkSmartPointer<vtkPolyData> exactOf(vtkPolyData* mesh,
-  vtkPolyData* proxyNow,
-  const Progress& progress = {});
+vtkSmartPointer<vtkPolyData> exactOf(vtkPolyData* mesh, vtkPolyData* proxyNow, const Progress& progress = {});
 
 } // namespace oversketch_session
 #endif

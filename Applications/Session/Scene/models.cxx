@@ -3,6 +3,7 @@
 #include "evaluator.h"
 #include "point_normals.h"
 #include "session_file.h"
+#include "systems.h"
 
 #include "vtkOversketchAssemble.h"
 #include "vtkOversketchFilterTools.h"
@@ -91,6 +92,26 @@ int placeOfModel(const Session& session, int id)
     --place;
   }
   return place;
+}
+
+void makeProxies(Session& session, vtkIdType most, const Progress& progress)
+{
+  const auto acts = [](const Node& node) { return findSystem(node.step->system)->actsOnProxies; };
+  const auto make = [&](Model& model)
+  {
+    if (model.mesh && isLarge(model.mesh, most) && std::all_of(model.nodes.begin(), model.nodes.end(), acts))
+    {
+      model.whole = model.mesh;
+      model.mesh = proxyOf(withOwnPolys(model.whole), progress, most * proxyTriangles / mostTriangles);
+    }
+  };
+  make(session);
+  for (auto& other : session.others)
+  {
+    auto own = other->own;
+    make(own);
+    other = resting(std::move(own), other->made);
+  }
 }
 
 void makeResting(Session& session)

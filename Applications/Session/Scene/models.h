@@ -2,6 +2,7 @@
 #ifndef oversketch_applications_session_scene_models_h
 #define oversketch_applications_session_scene_models_h
 
+#include "large_mesh.h"
 #include "parts.h"
 #include "session.h"
 
@@ -38,6 +39,9 @@ int placeOfModel(const Session& session, int id);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 
+// Models that are larger than that are worked on by proxies, where their steps can be
+// (SystemRow::actsOnProxies). Before any of them has been run.
+void makeProxies(Session& session, vtkIdType most, const Progress& progress);
 // Runs the steps of all others that have no mesh yet. Throws what a step throws that cannot be passed by.
 void makeResting(Session& session);
 // All models of a scene at rest, made.
