@@ -125,7 +125,7 @@ struct LargeDog : Scene
   QString file;
 };
 
-bool isSamePlace(vtkPolyData* a, vtkPolyData* b, vtkIdType point)
+bool staysAt(vtkPolyData* a, vtkPolyData* b, vtkIdType point)
 {
   double p[3], q[3];
   a->GetPoint(point, p);
@@ -184,7 +184,7 @@ TEST(Large, IsDrawnOnByAProxyAndExportedWhole)
   int followed = 0, beyond = 0;
   for (vtkIdType i = 0; i < first->GetNumberOfPoints(); ++i)
   {
-    const bool isSame = isSamePlace(first, whole, i);
+    const bool isSame = staysAt(first, whole, i);
     followed += !isSame;
     beyond += !isSame && !moved.ContainsPoint(whole->GetPoint(i));
   }
