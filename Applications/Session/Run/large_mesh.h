@@ -24,9 +24,7 @@ vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress
 
 // The mesh, moved as its proxy was by all steps on it (vtkOversketchDetailTransfer); triangles and arrays are
 // its own.
-vtkSmartPointer<vtkPolyData> exactOf(vtkPolyData* mesh,
-  vtkPolyData* proxyNow,
-  const Progress& progress = {});
+vtkSmartPointer<vtkPolyData> exactOf(vtkPolyData* mesh, vtkPolyData* proxyNow, const Progress& progress = {});
 
 } // namespace oversketch_session
 #endif
