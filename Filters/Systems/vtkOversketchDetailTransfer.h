@@ -16,8 +16,8 @@
  * Output 0 (Mesh): the mesh with its points moved; point normals turn as the surface does. All else is
  * passed.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray where the proxy has no Origin.
- * A mesh without points gives an empty output silently.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray where the proxy has no
+ * Origin. A mesh without points gives an empty output silently.
  *
  * Deterministic, for any number of threads. Cost: some 2 s a million points and core.
  *

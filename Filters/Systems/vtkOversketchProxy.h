@@ -3,17 +3,17 @@
  * @brief a coarse mesh in the place of a large one, for systems to work on
  *
  * For models of ten million triangles: the hand draws on the proxy, and vtkOversketchDetailTransfer gives the
- * model itself what was done to it. Vertices of one cell of a grid that hang together are one, the one of them
- * nearest to their mean; see Kernels/Remesh/proxy.h.
+ * model itself what was done to it. Vertices of one cell of a grid that hang together are one, the one of
+ * them nearest to their mean; see Kernels/Remesh/proxy.h.
  *
  * Departures: none, it is of no paper.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that share a position are one.
  *
  * Output 0 (Mesh): the proxy. Its points are points of the mesh, with their point arrays; without texture
- * coordinates and global ids, and without normals where points were welded. Point array Origin, 3 doubles: the
- * place of the point in the mesh [model length]. Field arrays are passed, cell arrays are not. A mesh of no
- * more triangles than TargetTriangles is passed as it is, with Origin.
+ * coordinates and global ids, and without normals where points were welded. Point array Origin, 3 doubles:
+ * the place of the point in the mesh [model length]. Field arrays are passed, cell arrays are not. A mesh of
+ * no more triangles than TargetTriangles is passed as it is, with Origin.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, also where no triangle has an area. A mesh
  * without points gives an empty output silently.

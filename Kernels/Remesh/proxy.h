@@ -18,7 +18,8 @@ struct Proxy
 
 // Clusters of vertices that share a cell of a uniform grid and hang together by edges inside it, so that the
 // two sides of a thin part stay apart; a triangle with its corners in three clusters stays. A cluster stands
-// where its vertex nearest to the mean of all of them is. Cells are such that some targetFaces triangles stay.
+// where its vertex nearest to the mean of all of them is. Cells are such that some targetFaces triangles
+// stay.
 //
 // What is no manifold then, though the mesh is one there, is made anew of smaller cells: clusters with a hole
 // or a handle, edges of more than two triangles, triangles there twice or turned over, points whose triangles
