@@ -37,10 +37,11 @@ bool isLarge(vtkPolyData* mesh, vtkIdType most)
   return mesh && mesh->GetNumberOfPolys() > most;
 }
 
-vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress)
+vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress, vtkIdType triangles)
 {
   vtkNew<vtkOversketchProxy> filter;
   filter->SetInputData(mesh);
+  filter->SetTargetTriangles(static_cast<int>(triangles));
   return outputOf(filter, progress);
 }
 
