@@ -96,7 +96,11 @@ int placeOfModel(const Session& session, int id)
 
 void makeProxies(Session& session, vtkIdType most, const Progress& progress)
 {
-  const auto acts = [](const Node& node) { return findSystem(node.step->system)->actsOnProxies; };
+  const auto acts = [](const Node& node)
+  {
+    const SystemRow* row = findSystem(node.step->system);
+    return row && row->actsOnProxies;
+  };
   const auto make = [&](Model& model)
   {
     if (model.mesh && isLarge(model.mesh, most) && std::all_of(model.nodes.begin(), model.nodes.end(), acts))
