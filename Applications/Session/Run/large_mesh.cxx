@@ -1,11 +1,15 @@
 #include "large_mesh.h"
 
+#include "systems.h"
+
 #include "vtkOversketchDetailTransfer.h"
 #include "vtkOversketchProxy.h"
 
 #include "Mesh/context.h"
 
 #include "vtkNew.h"
+
+#include <algorithm>
 
 namespace oversketch_session
 {
@@ -37,11 +41,22 @@ bool isLarge(vtkPolyData* mesh, vtkIdType most)
   return mesh && mesh->GetNumberOfPolys() > most;
 }
 
-vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress, vtkIdType triangles)
+bool isMoved(const Model& model)
+{
+  return std::all_of(model.nodes.begin(),
+    model.nodes.end(),
+    [](const Node& node)
+    {
+      const SystemRow* row = findSystem(node.step->system);
+      return !node.on || (row && row->moves);
+    });
+}
+
+vtkSmartPointer<vtkPolyData> proxyOf(vtkPolyData* mesh, const Progress& progress, vtkIdType most)
 {
   vtkNew<vtkOversketchProxy> filter;
+  filter->SetTargetTriangles(static_cast<int>(std::min<vtkIdType>(filter->GetTargetTriangles(), most)));
   filter->SetInputData(mesh);
-  filter->SetTargetTriangles(static_cast<int>(triangles));
   return outputOf(filter, progress);
 }
 

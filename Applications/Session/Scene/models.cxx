@@ -3,7 +3,6 @@
 #include "evaluator.h"
 #include "point_normals.h"
 #include "session_file.h"
-#include "systems.h"
 
 #include "vtkOversketchAssemble.h"
 #include "vtkOversketchFilterTools.h"
@@ -96,17 +95,13 @@ int placeOfModel(const Session& session, int id)
 
 void makeProxies(Session& session, vtkIdType most, const Progress& progress)
 {
-  const auto acts = [](const Node& node)
-  {
-    const SystemRow* row = findSystem(node.step->system);
-    return row && row->actsOnProxies;
-  };
+  constexpr vtkIdType coarser = 16; // times, so that 500,000 stand for 8 million
   const auto make = [&](Model& model)
   {
-    if (model.mesh && isLarge(model.mesh, most) && std::all_of(model.nodes.begin(), model.nodes.end(), acts))
+    if (isLarge(model.mesh, most) && isMoved(model))
     {
       model.whole = model.mesh;
-      model.mesh = proxyOf(withOwnPolys(model.whole), progress, most * proxyTriangles / mostTriangles);
+      model.mesh = proxyOf(withOwnPolys(model.whole), progress, most / coarser);
     }
   };
   make(session);

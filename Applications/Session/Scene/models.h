@@ -39,8 +39,8 @@ int placeOfModel(const Session& session, int id);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 
-// Models that are larger than that are worked on by proxies, where their steps can be
-// (SystemRow::actsOnProxies). Before any of them has been run.
+// Models of more triangles are worked on by proxies from here on, where their steps can be (isMoved). To be
+// called before any is run.
 void makeProxies(Session& session, vtkIdType most, const Progress& progress);
 // Runs the steps of all others that have no mesh yet. Throws what a step throws that cannot be passed by.
 void makeResting(Session& session);

@@ -115,8 +115,8 @@ struct SystemRow
   std::string textureInput, backTextureInput;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
-  // It moves the mesh that comes to it: what it did to a proxy can be done to the large mesh itself.
-  bool actsOnProxies = false;
+  // What it does to a mesh is a motion above all, so that of a large one a proxy will do (large_mesh.h).
+  bool moves = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // Other properties that the class lets be set, each with the reason why no step holds it.

@@ -163,7 +163,7 @@ QString Document::whyNoSteps(const std::string& system) const
   const SystemRow* row = findSystem(system);
   return scene.locked   ? tr("%1 is locked and takes no strokes. Unlock it in the list Scene.").arg(name)
          : !scene.shown ? tr("%1 is hidden and takes no strokes. Tick it in the list Scene.").arg(name)
-         : scene.whole && row && !row->actsOnProxies
+         : scene.whole && row && !row->moves
            ? tr("%1 is shown by fewer triangles than it has, and this would add some to those alone. Open a "
                 "coarser copy of it.")
                .arg(name)
@@ -175,7 +175,7 @@ bool Document::takes(const Session& next)
   QString why = this->whyNoSteps();
   for (std::size_t i = 0; why.isEmpty() && i < next.nodes.size(); ++i)
   {
-    why = this->whyNoSteps(next.nodes[i].step->system);
+    why = next.nodes[i].on ? this->whyNoSteps(next.nodes[i].step->system) : why;
   }
   if (why.isEmpty() || next.nodes == this->session().nodes)
   {
