@@ -125,11 +125,9 @@ struct SystemRow
 
 // Those that are built.
 const std::vector<SystemRow>& systems();
-
 // By name or by verb; null where there is none.
 const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
 const SystemRow* findVerb(const std::string& verb);
-
 const Parameter* findParameter(const SystemRow& row, const std::string& property);
 const SystemInput* findInput(const SystemRow& row, const std::string& name);
 // The first input of a kind, null where there is none.

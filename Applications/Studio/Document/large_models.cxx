@@ -3,11 +3,8 @@
 #include "document.h"
 #include "models.h"
 
-#include <QTimer>
-
 #include <chrono>
 #include <exception>
-#include <utility>
 
 namespace oversketch_studio
 {
@@ -18,6 +15,7 @@ namespace
 {
 
 constexpr int handRest = 1000; // ms after a result: a hand that goes on needs the processors itself
+constexpr int tellAfter = 100; // ms
 constexpr std::chrono::milliseconds askAgainAfter{ 50 };
 constexpr double almostMade = 0.99; // before it is there
 
@@ -69,55 +67,44 @@ LargeModels::LargeModels(Document* document, std::function<bool()> rests)
   : QObject(document)
   , OpenDocument(document)
   , Rests(std::move(rests))
-  , Timer(new QTimer(this))
 {
   this->Thread.setMaxThreadCount(1);
-  this->Timer->setSingleShot(true);
-  this->Timer->setInterval(handRest);
-  connect(this->Timer, &QTimer::timeout, this, &LargeModels::begin);
-  connect(document, &Document::begun, this, [this] { this->Chosen.reset(); });
-  connect(document, &Document::detailed, this->Timer, qOverload<>(&QTimer::start));
+  this->Rest.setSingleShot(true);
+  this->Rest.setInterval(handRest);
+  this->Look.setInterval(tellAfter);
+  connect(&this->Rest, &QTimer::timeout, this, &LargeModels::begin);
+  connect(&this->Look,
+    &QTimer::timeout,
+    this,
+    [this] { *this->Ends ? this->end() : emit this->progressed(this->Chosen->share()); });
+  connect(document, &Document::detailed, &this->Rest, qOverload<>(&QTimer::start));
   connect(document,
     &Document::changed,
     this,
     [this](Document::Change change)
-    {
-      if (change == Document::Change::Drawn || change == Document::Change::Edited)
-      {
-        this->end();
-      }
-    });
+    { change == Document::Change::Drawn || change == Document::Change::Edited ? this->end() : void(); });
+  connect(document, &Document::begun, this, [this] { this->Chosen.reset(); });
 }
 
 LargeModels::~LargeModels()
 {
-  if (this->GivesUp)
-  {
-    *this->GivesUp = true;
-  }
+  *this->Ends = true;
 }
 
 std::shared_ptr<ExactResult> LargeModels::resultAt(std::size_t place)
 {
   const Session& scene = this->OpenDocument->session();
-  const RestingModel* other = restingAt(scene, place);
-  const SharedData& shown = other                               ? other->made.mesh
-                            : this->OpenDocument->result().mesh ? this->OpenDocument->result().mesh
-                                                                : scene.mesh;
   const Model& model = modelAt(scene, place);
-  if (!shown)
+  const RestingModel* other = restingAt(scene, place);
+  const SharedData& made = other ? other->made.mesh : this->OpenDocument->result().mesh;
+  const SharedData& shown = made ? made : model.mesh;
+  if (!shown || (!other && this->Chosen && this->Chosen->isOf(model, shown)))
   {
-    return nullptr;
+    return shown ? this->Chosen : nullptr;
   }
-  if (other)
-  {
-    return std::make_shared<ExactResult>(model, shown);
-  }
-  if (!this->Chosen || !this->Chosen->isOf(model, shown))
-  {
-    this->Chosen = std::make_shared<ExactResult>(model, shown);
-  }
-  return this->Chosen;
+  auto result = std::make_shared<ExactResult>(model, shown);
+  this->Chosen = other ? this->Chosen : result;
+  return result;
 }
 
 ExactResults LargeModels::results()
@@ -125,69 +112,49 @@ ExactResults LargeModels::results()
   ExactResults results;
   for (std::size_t place = 0; place < modelCount(this->OpenDocument->session()); ++place)
   {
-    if (auto result = this->resultAt(place))
-    {
-      results.push_back(std::move(result));
-    }
+    auto result = this->resultAt(place);
+    result ? results.push_back(std::move(result)) : void();
   }
   return results;
 }
 
 void LargeModels::begin()
 {
-  if (!this->OpenDocument->session().whole || !this->OpenDocument->isSettled())
+  const Session& scene = this->OpenDocument->session();
+  if (!scene.whole || !this->OpenDocument->isSettled() || this->isMaking() ||
+      this->resultAt(scene.place)->isMade())
   {
     return;
   }
   if (!this->Rests())
   {
-    this->Timer->start();
+    this->Rest.start();
     return;
   }
-  const std::shared_ptr<ExactResult> result = this->resultAt(this->OpenDocument->session().place);
-  if (!result || result->isMade() || this->isMaking())
-  {
-    return;
-  }
-  this->GivesUp = std::make_shared<std::atomic<bool>>(false);
+  this->Ends = std::make_shared<std::atomic<bool>>(false);
   this->Thread.start(
-    [this, result, givesUp = this->GivesUp]
+    [result = this->Chosen, ends = this->Ends]
     {
-      const auto tell = [this, givesUp](double share)
-      {
-        QMetaObject::invokeMethod(
-          this,
-          [this, givesUp, share]
-          {
-            if (givesUp == this->GivesUp)
-            {
-              share < 1.0 ? void() : this->GivesUp.reset();
-              emit this->progressed(share);
-            }
-          },
-          Qt::QueuedConnection);
-      };
       try
       {
-        result->mesh({ tell, {}, [givesUp] { return givesUp->load(); } });
+        result->mesh({ [](double) {}, {}, [ends] { return ends->load(); } });
       }
       catch (const std::exception&)
       {
         // An export makes it again, and says why it cannot.
       }
-      tell(1.0);
+      *ends = true;
     });
+  this->Look.start();
   emit this->progressed(0.0);
 }
 
 void LargeModels::end()
 {
-  this->Timer->stop();
-  if (const auto givesUp = std::exchange(this->GivesUp, nullptr))
-  {
-    *givesUp = true;
-    emit this->progressed(1.0);
-  }
+  *this->Ends = true;
+  this->Rest.stop();
+  this->Look.stop();
+  emit this->progressed(1.0);
 }
 
 } // namespace oversketch_studio

@@ -8,14 +8,13 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
-
-class QTimer;
 
 namespace oversketch_studio
 {
@@ -33,6 +32,7 @@ public:
   // Whether it shares its points and faces with what is shown, of the same model.
   bool isOf(const oversketch_session::Model& model, const oversketch_session::SharedData& shown) const;
   bool isMade() const { return this->Share == 1.0; }
+  double share() const { return this->Share; }
   // The mesh whose pictures it wears.
   const oversketch_session::SharedData& dressed() const { return this->Whole ? this->Whole : this->Shown; }
   // Makes it, on any thread, told its progress and asked; who comes while another one does waits for it. Null
@@ -63,7 +63,7 @@ public:
   std::shared_ptr<ExactResult> resultAt(std::size_t place);
   ExactResults results();
   // Whether one is made behind the hand.
-  bool isMaking() const { return this->GivesUp != nullptr; }
+  bool isMaking() const { return this->Look.isActive(); }
 
 signals:
   // It is made to that share; 1: it is there, or given up.
@@ -76,9 +76,10 @@ private:
   Document* OpenDocument;
   std::function<bool()> Rests;
   vtkIdType Most = oversketch_session::mostTriangles;
-  std::shared_ptr<ExactResult> Chosen;        // that of the model that is worked on
-  std::shared_ptr<std::atomic<bool>> GivesUp; // of the one that is made; null: none
-  QTimer* Timer;
+  std::shared_ptr<ExactResult> Chosen; // that of the model that is worked on
+  // What is made behind the hand is there, or is to be given up.
+  std::shared_ptr<std::atomic<bool>> Ends = std::make_shared<std::atomic<bool>>(true);
+  QTimer Rest, Look;
   QThreadPool Thread; // last, so that it ends first
 };
 
