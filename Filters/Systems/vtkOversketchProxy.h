@@ -12,8 +12,8 @@
  *
  * Output 0 (Mesh): the proxy. Its points are points of the mesh, with their point arrays; without texture
  * coordinates and global ids, and without normals where points were welded. Point array Origin, 3 doubles:
- * the place of the point in the mesh [model length]. Field arrays are passed, cell arrays are not. A mesh of
- * no more triangles than TargetTriangles is passed as it is, with Origin.
+ * the place of the point in the mesh [model length]. Cell and field arrays, which tell of other triangles,
+ * stay behind. A mesh of no more triangles than TargetTriangles is passed as it is, with Origin.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, also where no triangle has an area. A mesh
  * without points gives an empty output silently.

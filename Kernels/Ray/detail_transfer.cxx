@@ -133,8 +133,11 @@ std::vector<Vector3> transferDetail(const std::shared_ptr<const Mesh>& rest,
   const Context& context)
 {
   constexpr int block = 65536;
+  context.checkpoint(0.0);
   std::vector<Vector3> places = points;
-  const Motion motion(rest, now, context);
+  Context quiet = context; // the tree tells that it is done, which is not all
+  quiet.progress = [](double) {};
+  const Motion motion(rest, now, quiet);
   const int count = static_cast<int>(motion.any() ? points.size() : 0);
   for (int begin = 0; begin < count; begin += block)
   {

@@ -227,8 +227,8 @@ private:
         const int a = c[k], b = c[(k + 1) % 3];
         if (this->Of[a] == this->Of[b] && marks[this->Of[a]] && this->CellOf[a] == this->CellOf[b])
         {
-          const auto [low, high] = std::minmax(this->rootOf(a), this->rootOf(b));
-          this->Root[high] = low;
+          const int one = this->rootOf(a), other = this->rootOf(b);
+          this->Root[std::max(one, other)] = std::min(one, other);
         }
       }
     }
