@@ -128,6 +128,17 @@ Option fileOption(std::string& place, const std::string& extension = {}, const s
     } };
 }
 
+int wholeNumber(const std::string& name, const std::string& value, const std::string& what, double most)
+{
+  const std::vector<double> numbers = numbersOf(name, value);
+  if (numbers.size() != 1 || !(numbers[0] >= 1.0 && numbers[0] <= most) ||
+      numbers[0] != std::floor(numbers[0]))
+  {
+    throw BadUse(name + " takes " + what + ", from 1, not '" + value + "'");
+  }
+  return static_cast<int>(numbers[0]);
+}
+
 OptionTable tableOf(Options& options)
 {
   OptionTable table = { { "-o", fileOption(options.output) }, { "--output", fileOption(options.output) } };
@@ -135,15 +146,7 @@ OptionTable tableOf(Options& options)
   {
     table["--model"] = { true,
       [&options](const std::string& name, const std::string& value)
-      {
-        const std::vector<double> numbers = numbersOf(name, value);
-        if (numbers.size() != 1 || !(numbers[0] >= 1.0 && numbers[0] <= double(mostModels)) ||
-            numbers[0] != std::floor(numbers[0]))
-        {
-          throw BadUse(name + " takes the number of a model, from 1, not '" + value + "'");
-        }
-        options.model = static_cast<int>(numbers[0]);
-      } };
+      { options.model = wholeNumber(name, value, "the number of a model", double(mostModels)); } };
     return table;
   }
   table["--report"] = fileOption(options.report, ".json");
@@ -158,6 +161,12 @@ OptionTable tableOf(Options& options)
   if (findInput(*options.system, SystemInput::Kind::Stroke))
   {
     table["--picture"] = fileOption(options.picture, ".png");
+  }
+  if (findInput(*options.system, SystemInput::Kind::Mesh))
+  {
+    table["--proxy-above"] = { true, [&options](const std::string& name, const std::string& value) {
+                                options.proxyAbove = wholeNumber(name, value, "a number of triangles", 2e9);
+                              } };
   }
   for (const SystemInput& input : options.system->inputs)
   {
@@ -414,6 +423,14 @@ std::vector<OptionText> optionsOf(const SystemRow& system)
   options.push_back({ "--backend",
     listOf(backendWords(), "|"),
     "where rays and mixtures are computed; auto takes OpenCL where there is a device" });
+  if (findInput(system, SystemInput::Kind::Mesh))
+  {
+    options.push_back({ "--proxy-above",
+      "N",
+      std::string("a mesh of more triangles ") +
+        (system.moves ? "is moved as a coarse one in its place is" : "is refused") +
+        "; 8000000 where it is not given" });
+  }
   for (const Pair& pair : system.pairs)
   {
     options.push_back({ "--" + pair.word, "X[xY]", pair.help });

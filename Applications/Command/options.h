@@ -2,6 +2,7 @@
 #ifndef oversketch_applications_command_options_h
 #define oversketch_applications_command_options_h
 
+#include "large_mesh.h"
 #include "systems.h"
 
 #include <map>
@@ -49,6 +50,7 @@ struct Options
   int model = 0;                                // replay: of the scene, from 1; 0: all of them
   std::string output, picture, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
+  vtkIdType proxyAbove = oversketch_session::mostTriangles;
 };
 
 // Throws BadUse, naming the argument.

@@ -63,6 +63,7 @@ Replayed replay(Recorded recorded)
     model.backend =
       recorded.record.origin.backend == "opencl" ? vtkOversketchSystem::OpenCL : vtkOversketchSystem::Host;
   }
+  const SharedData large = isMoved(model) ? takeProxy(model, mostTriangles) : SharedData();
   Evaluator evaluator;
   const std::vector<Outcome> outcomes = outcomesOf(evaluator, model);
   for (std::size_t i = 0; i < outcomes.size(); ++i)
@@ -76,7 +77,8 @@ Replayed replay(Recorded recorded)
       warn(remark.text());
     }
   }
-  return { resultOf(model, outcomes), backendUsedBy(outcomes) };
+  vtkSmartPointer<vtkPolyData> made = resultOf(model, outcomes);
+  return { large ? movedAsProxy(large, made) : made, backendUsedBy(outcomes) };
 }
 
 } // namespace

@@ -143,6 +143,7 @@ std::string Report::json(const Options& options,
   const Step& step,
   vtkOversketchSystem* system,
   vtkPolyData* mesh,
+  vtkPolyData* proxy,
   vtkPolyData* result) const
 {
   Json::Value json = this->beginning(options.system->verb, options);
@@ -158,6 +159,10 @@ std::string Report::json(const Options& options,
   if (mesh)
   {
     json["before"] = countsOf(mesh);
+  }
+  if (proxy)
+  {
+    json["proxy"] = countsOf(proxy);
   }
   json["after"] = countsOf(result);
   json["fields"] = Json::objectValue;

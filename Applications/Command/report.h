@@ -22,13 +22,14 @@ public:
   // Takes the time since the last call, or since it was made, for a part of the work: "read", "run", "write".
   void ends(const std::string& part);
 
-  // JSON: files and options; times [ms]; all that was warned of; counts before (where there was a mesh) and
-  // after; each field array of one value that a stage or the system put out; what ran where; and what
-  // addFigures adds.
+  // JSON: files and options; times [ms]; all that was warned of; counts before (where there was a mesh), of
+  // its proxy where there was one, and after; each field array of one value that a stage or the system put
+  // out; what ran where; and what addFigures adds.
   std::string json(const Options& options,
     const oversketch_session::Step& step,
     vtkOversketchSystem* system,
     vtkPolyData* mesh,
+    vtkPolyData* proxy,
     vtkPolyData* result) const;
   // JSON of an assembled mesh: files, times and warnings, what is told of each part, counts.
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;

@@ -288,6 +288,18 @@ Session sessionOf(const Options& options, Notes& notes)
   return session;
 }
 
+// A proxy cannot hand on triangles that a step makes.
+void refuseLarge(const Options& options, const Session& session)
+{
+  if (isLarge(session.mesh, options.proxyAbove) && !isMoved(session))
+  {
+    const std::string count = std::to_string(session.mesh->GetNumberOfPolys());
+    throw Failed("the mesh has " + count + " triangles, too many for " + options.system->verb +
+                 ", which makes new ones; give a coarser mesh, or --proxy-above " + count +
+                 " where memory is enough");
+  }
+}
+
 } // namespace
 
 void runSystem(const Options& options)
@@ -298,10 +310,13 @@ void runSystem(const Options& options)
 
   Notes notes;
   Report report;
-  const Session session = sessionOf(options, notes);
+  Session session = sessionOf(options, notes);
   report.ends("read");
   say(notes);
   throwIfInterrupted();
+  refuseLarge(options, session);
+  const SharedData large = takeProxy(session, options.proxyAbove);
+  vtkPolyData* const mesh = large ? large : session.mesh;
 
   const Outcome outcome = outcomesOf(evaluator, session)[0];
   report.ends("run");
@@ -313,14 +328,19 @@ void runSystem(const Options& options)
   {
     throw Failed(inOptions(outcome.failure, *options.system));
   }
-  if (session.mesh && isSameMesh(session.mesh, outcome.mesh)) // so that nothing is left as it was in silence
+  const vtkSmartPointer<vtkPolyData> made = large ? movedAsProxy(large, outcome.mesh) : outcome.mesh;
+  if (large)
+  {
+    report.ends("transfer");
+  }
+  if (mesh && isSameMesh(mesh, made)) // so that nothing is left as it was in silence
   {
     warn("nothing has moved, the mesh is written as it was; oversketch " + options.system->verb +
          " --help lists what moves it");
   }
 
   NewFiles files;
-  writeMesh(outcome.mesh, options.output, notes, files);
+  writeMesh(made, options.output, notes, files);
   report.ends("write");
   if (!options.inner.empty())
   {
@@ -328,8 +348,8 @@ void runSystem(const Options& options)
   }
   if (!options.report.empty())
   {
-    files.writeText(
-      options.report, report.json(options, *session.nodes[0].step, system, session.mesh, outcome.mesh));
+    vtkPolyData* const proxy = large ? session.mesh.Get() : nullptr;
+    files.writeText(options.report, report.json(options, *session.nodes[0].step, system, mesh, proxy, made));
   }
   if (!options.picture.empty())
   {

@@ -15,6 +15,16 @@ namespace oversketch_command
 using namespace oversketch_files;
 using namespace oversketch_session;
 
+namespace
+{
+
+Progress progressOf(const std::string& what)
+{
+  return { [what](double share) { showProgress(share, what); }, {}, interrupted };
+}
+
+} // namespace
+
 Image readImage(const std::string& path, SystemInput::Kind kind)
 {
   requireReadable(path);
@@ -75,6 +85,28 @@ std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Model& model, double
   clearProgress();
   throwIfInterrupted();
   return outcomes;
+}
+
+SharedData takeProxy(Model& model, vtkIdType most)
+{
+  if (!isLarge(model.mesh, most))
+  {
+    return {};
+  }
+  const SharedData mesh = model.mesh;
+  model.mesh = proxyOf(mesh, progressOf("Proxy"), most);
+  throwIfInterrupted();
+  say("the mesh has " + std::to_string(mesh->GetNumberOfPolys()) + " triangles; it is moved as a proxy of " +
+      std::to_string(model.mesh->GetNumberOfPolys()) + " is");
+  return mesh;
+}
+
+vtkSmartPointer<vtkPolyData> movedAsProxy(vtkPolyData* mesh, vtkPolyData* proxyNow)
+{
+  vtkSmartPointer<vtkPolyData> moved = exactOf(mesh, proxyNow, progressOf("DetailTransfer"));
+  clearProgress();
+  throwIfInterrupted();
+  return moved;
 }
 
 } // namespace oversketch_command

@@ -45,5 +45,10 @@ std::vector<oversketch_session::Outcome> outcomesOf(oversketch_session::Evaluato
   double done = 0.0,
   double all = 1.0);
 
+// Puts a proxy in the place of a mesh of more triangles, and says so. Returns that mesh, or null: it stays.
+oversketch_session::SharedData takeProxy(oversketch_session::Model& model, vtkIdType most);
+// Moves the mesh as its proxy was. Both throw Failed after an interrupt, and Error.
+vtkSmartPointer<vtkPolyData> movedAsProxy(vtkPolyData* mesh, vtkPolyData* proxyNow);
+
 } // namespace oversketch_command
 #endif

@@ -139,6 +139,10 @@ Lists trianglesAround(const Mesh& mesh);
 Adjacency buildAdjacency(const Mesh& mesh);
 Adjacency buildAdjacency(const Mesh& mesh, const Context& context);
 
+// Whether the triangles round a vertex are one fan. Where an edge has more than two triangles, or a triangle
+// none, this says nothing: true.
+bool isOneFan(const Adjacency& adjacency, int v);
+
 // Unit vertex normals, each incident triangle weighted by its angle at the vertex; zero for a vertex without
 // a triangle of positive area. `around`: see trianglesAround.
 std::vector<Vector3> vertexNormals(const Mesh& mesh);

@@ -73,54 +73,6 @@ bool sameCorners(Triangle a, Triangle b)
   return a == b;
 }
 
-// Whether the triangles round a vertex are one fan. Where an edge has more than two triangles this says
-// nothing: true.
-bool isOneFan(const Adjacency& adjacency, int v)
-{
-  const int total = adjacency.vertexTriangles.size(v);
-  const int start = total ? *adjacency.vertexTriangles.begin(v) : -1;
-  int seen = total ? 1 : 0;
-  for (int side = 0; side < 2 && total; ++side)
-  {
-    int t = start, through = -1;
-    while (true)
-    {
-      // The edge of t at v that was not come through; on the first step the one that the side asks for.
-      int edge = -1, order = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const int e = adjacency.triangleEdges[t][k];
-        if (e < 0)
-        {
-          return true;
-        }
-        const MeshEdge& candidate = adjacency.edges[e];
-        if ((candidate.v0 == v || candidate.v1 == v) && e != through && (through >= 0 || order++ == side))
-        {
-          edge = e;
-        }
-      }
-      const int* around = adjacency.trianglesBegin(edge);
-      if (adjacency.edges[edge].triangleCount > 2)
-      {
-        return true;
-      }
-      if (adjacency.edges[edge].triangleCount == 1)
-      {
-        break;
-      }
-      t = around[0] == t ? around[1] : around[0];
-      if (t == start)
-      {
-        return seen == total;
-      }
-      through = edge;
-      ++seen;
-    }
-  }
-  return seen == total;
-}
-
 } // namespace
 
 void checkPointIds(const Mesh& mesh)

@@ -25,7 +25,7 @@ def test_help_and_version():
     assert text.returncode == 0 and "one-stroke" in text.stdout and text.stderr == ""
     text = run("one-stroke", "--help")
     assert text.returncode == 0 and text.stderr == ""
-    for option in ("--picture", "--report", "--backend", "--remesh", "--adjust-normals", "--as-published", "--inner"):
+    for option in ("--picture", "--report", "--backend", "--remesh", "--adjust-normals", "--as-published", "--inner", "--proxy-above"):
         assert option in text.stdout
     lines = run("--version").stdout.splitlines()
     assert [line.split()[0] for line in lines] == ["Oversketch", "VTK", "OpenCL", "Embree", "Build"]
@@ -41,6 +41,7 @@ def test_help_and_version():
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "-o", "p.obj"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--remesh", "maybe"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--backend", "cuda"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--proxy-above", "0"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--picture", "p.jpg"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--report", "r.txt"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--adjust-normals=yes"],
@@ -104,6 +105,23 @@ def test_options_reach_the_system(folder, tmp_path):
     assert numpy.abs(results["adjust"][1] - results["plain"][1]).max() > 1e-4
     assert results["published"][0]["options"]["as_published"]
     assert results["published"][0]["stage_milliseconds"]["Outline"] == 0
+
+
+def test_a_large_mesh_is_moved_as_its_proxy_is(folder, tmp_path):
+    write(body(around=150, along=200), tmp_path / "fine.vtp")
+    before = read(tmp_path / "fine.vtp")
+    done = run("one-stroke", tmp_path / "fine.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--report", tmp_path / "r.json",
+               "--proxy-above", "12000", *QUICK)
+    assert done.returncode == 0 and "proxy of" in done.stderr, done.stderr
+    report = json.loads((tmp_path / "r.json").read_text())
+    assert 0.7 * 12000 <= report["proxy"]["triangles"] <= 1.3 * 12000
+    assert report["before"] == report["after"] == {"points": before.GetNumberOfPoints(), "triangles": before.GetNumberOfPolys()}
+    run("one-stroke", tmp_path / "fine.vtp", folder / "longer.vtp", "-o", tmp_path / "itself.vtp", *QUICK)
+    old, new, itself = (points_of(read(tmp_path / name)) for name in ("fine.vtp", "o.vtp", "itself.vtp"))
+    assert abs(new[:, 0].max() - itself[:, 0].max()) < 0.03
+    away = old[:, 0] < -0.4
+    assert away.any() and (new[away] == old[away]).all()
+    assert "too many for augment" in refuse(1, "augment", tmp_path / "fine.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--proxy-above", "12000")
 
 
 def test_without_an_opencl_device_the_host_works_and_says_so(folder, tmp_path):

@@ -204,13 +204,13 @@ Package Encoder::encode(const SessionFile& file)
   const auto jsonOfModel = [&](const Model& model, const Record& record)
   {
     Json::Value json;
-    if (model.mesh)
+    if (const SharedData& mesh = model.whole ? model.whole : model.mesh)
     {
-      json["mesh"] = put(model.mesh.identity(),
+      json["mesh"] = put(mesh.identity(),
         [&]
         {
           vtkNew<vtkPolyData> copy; // a writer keeps ranges in the arrays
-          copy->DeepCopy(model.mesh);
+          copy->DeepCopy(mesh);
           return polydata("mesh", copy);
         });
     }

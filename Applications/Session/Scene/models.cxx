@@ -93,6 +93,26 @@ int placeOfModel(const Session& session, int id)
   return place;
 }
 
+void makeProxies(Session& session, vtkIdType most, const Progress& progress)
+{
+  constexpr vtkIdType coarser = 16; // times, so that 500,000 stand for 8 million
+  const auto make = [&](Model& model)
+  {
+    if (isLarge(model.mesh, most) && isMoved(model))
+    {
+      model.whole = model.mesh;
+      model.mesh = proxyOf(withOwnPolys(model.whole), progress, most / coarser);
+    }
+  };
+  make(session);
+  for (auto& other : session.others)
+  {
+    auto own = other->own;
+    make(own);
+    other = resting(std::move(own), other->made);
+  }
+}
+
 void makeResting(Session& session)
 {
   for (auto& other : session.others)

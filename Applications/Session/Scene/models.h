@@ -2,6 +2,7 @@
 #ifndef oversketch_applications_session_scene_models_h
 #define oversketch_applications_session_scene_models_h
 
+#include "large_mesh.h"
 #include "parts.h"
 #include "session.h"
 
@@ -38,6 +39,9 @@ int placeOfModel(const Session& session, int id);
 // Null for the one that is worked on.
 const RestingModel* restingAt(const Session& session, std::size_t place);
 
+// Models of more triangles are worked on by proxies from here on, where their steps can be (isMoved). To be
+// called before any is run.
+void makeProxies(Session& session, vtkIdType most, const Progress& progress);
 // Runs the steps of all others that have no mesh yet. Throws what a step throws that cannot be passed by.
 void makeResting(Session& session);
 // All models of a scene at rest, made.

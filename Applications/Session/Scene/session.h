@@ -77,6 +77,7 @@ struct Model
 {
   std::string meshName; // of the file that was opened, without its folder
   SharedData mesh;      // null where the first step makes one
+  SharedData whole;     // what was opened, where `mesh` is a proxy of it; null where that is the mesh itself
   std::vector<Node> nodes;
   int backend = 0; // vtkOversketchSystem::BackendType
   int id = 1;      // from 1, unique in the scene; not in the file

@@ -82,6 +82,7 @@ SystemRow oneStroke()
   };
   row.mirroring = Mirroring::Partners;
   row.keepingPoints = { { "Remesh", int(System::RemeshOff) } };
+  row.moves = true;
   row.leftOut = { { "CorrectOutline", "one of the amendments that AsPublished turns off together" } };
   return row;
 }
@@ -293,6 +294,7 @@ SystemRow edit()
     { "drag", "Operations", "DX,DY", "move all of the line to the right and up in its view [px]" },
   };
   row.mirroring = Mirroring::TwoRuns;
+  row.moves = true;
   row.previewsEdits = true;
   return row;
 }

@@ -115,6 +115,8 @@ struct SystemRow
   std::string textureInput, backTextureInput;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
+  // What it does to a mesh is a motion above all, so that of a large one a proxy will do (large_mesh.h).
+  bool moves = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // Other properties that the class lets be set, each with the reason why no step holds it.
@@ -123,11 +125,9 @@ struct SystemRow
 
 // Those that are built.
 const std::vector<SystemRow>& systems();
-
 // By name or by verb; null where there is none.
 const SystemRow* findSystem(const std::string& name, const std::vector<SystemRow>& rows = systems());
 const SystemRow* findVerb(const std::string& verb);
-
 const Parameter* findParameter(const SystemRow& row, const std::string& property);
 const SystemInput* findInput(const SystemRow& row, const std::string& name);
 // The first input of a kind, null where there is none.

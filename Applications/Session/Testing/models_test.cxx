@@ -5,6 +5,8 @@
 #include "models.h"
 #include "session_file.h"
 
+#include "vtkPointData.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
@@ -95,4 +97,37 @@ TEST(Models, AreUndoneWithTheSteps)
   history.redo();
   EXPECT_EQ(modelCount(history.now()), 2u);
   EXPECT_EQ(history.now().place, 1u) << "as it was chosen last";
+}
+
+TEST(Models, LargeOnesAreWorkedOnByProxiesAndKeptWhole)
+{
+  Session session = dogSession();
+  const std::string digest = digestOf(session.mesh);
+  const vtkIdType all = session.mesh->GetNumberOfPolys();
+  makeProxies(session, all, {});
+  EXPECT_FALSE(session.whole) << "it is not larger";
+  Session drawn = session;
+  drawn.nodes[0] = changed(drawn.nodes[0], [](Step& step) { step.system = "Terrain"; });
+  makeProxies(drawn, all - 1, {});
+  EXPECT_FALSE(drawn.whole) << "a step of it is none that acts on proxies";
+
+  session.others = modelsOf(dogSession());
+  makeProxies(session, all - 1, {});
+  for (std::size_t place = 0; place < 2; ++place)
+  {
+    const Model& model = modelAt(session, place);
+    ASSERT_TRUE(model.whole);
+    EXPECT_EQ(digestOf(model.whole), digest);
+    EXPECT_LT(model.mesh->GetNumberOfPolys(), all / 8);
+    EXPECT_TRUE(model.mesh->GetPointData()->GetArray("Origin"));
+  }
+  SessionFile file;
+  file.session = session;
+  file.others.resize(1);
+  Session read = decode(Encoder().encode(file), "a").session;
+  EXPECT_EQ(digestOf(read.mesh), digest);
+  EXPECT_EQ(digestOf(modelAt(read, 1).mesh), digest);
+  makeProxies(read, all - 1, {});
+  EXPECT_EQ(digestOf(read.mesh), digestOf(session.mesh));
+  EXPECT_EQ(digestOf(exactOf(read.whole, read.mesh)), digest) << "no step has moved it";
 }

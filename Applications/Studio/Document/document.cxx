@@ -2,6 +2,7 @@
 
 #include "files.h"
 #include "heights.h"
+#include "long_work.h"
 #include "mesh_file.h"
 #include "models.h"
 #include "picture_files.h"
@@ -116,7 +117,7 @@ Document::Document(QObject* parent)
 
 Document::~Document() = default;
 
-Document::Opened Document::read(const QString& path, int backend)
+Document::Opened Document::read(const QString& path, int backend, vtkIdType most)
 {
   const std::string file = path.toStdString(), extension = extensionOf(file);
   Opened opened;
@@ -128,6 +129,7 @@ Document::Opened Document::read(const QString& path, int backend)
     opened.look = saved.look;
     opened.upAxis = saved.look ? saved.look->upAxis : 1;
     session = std::move(saved.session);
+    makeProxies(session, most, progressOfWork());
     makeResting(session);
     opened.pictures = picturesOf(session);
     return opened;
@@ -145,6 +147,7 @@ Document::Opened Document::read(const QString& path, int backend)
   else
   {
     session.mesh = readMesh(file, said);
+    makeProxies(session, most, progressOfWork());
     const bool isGltf = extension == ".gltf" || extension == ".glb"; // the standard says y
     opened.upAxis = isGltf ? 1 : upAxisOf(session.mesh);
   }
@@ -245,14 +248,17 @@ SessionFile Document::file() const
   SessionFile file;
   file.session = this->session();
   const bool isWhole = this->Result.nodes.size() == file.session.nodes.size();
-  if (!this->isBusy() && !this->Digest.empty() && isWhole)
+  // That of a proxy is no result.
+  if (!this->isBusy() && !this->Digest.empty() && isWhole && !file.session.whole)
   {
     file.origin = originHere(this->Result.backendUsed);
     file.digest = this->Digest;
   }
   for (const auto& other : file.session.others)
   {
-    file.others.push_back({ originHere(other->made.backendUsed), other->made.digest });
+    const bool isLarge = other->own.whole;
+    file.others.push_back(
+      { originHere(other->made.backendUsed), isLarge ? std::string() : other->made.digest });
   }
   file.look = this->LookNow && this->Result.mesh ? this->LookNow() : this->Seen;
   return file;

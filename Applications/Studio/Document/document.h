@@ -6,6 +6,7 @@
 #include "autosave.h"
 #include "drawing_lines.h"
 #include "history.h"
+#include "large_mesh.h"
 #include "opened_file.h"
 #include "worker.h"
 
@@ -37,14 +38,16 @@ public:
   ~Document() override;
 
   using Opened = OpenedFile;
-  // On any thread. Throws Failed.
-  static Opened read(const QString& path, int backend);
+  // On any thread. Models of more triangles are worked on by proxies (Model::whole). Throws Failed.
+  static Opened read(const QString& path, int backend, vtkIdType most = oversketch_session::mostTriangles);
   int backend() const { return this->Backend; }
   // Shows it, instead of what was there.
   void open(Opened opened);
   // Adds its models to those that are there (readModels); the first of them is chosen. Throws
   // oversketch_files::Failed where they are too many.
-  static Opened readModels(const QString& path, int backend);
+  static Opened readModels(const QString& path,
+    int backend,
+    vtkIdType most = oversketch_session::mostTriangles);
   void addModels(const Opened& opened);
   // The models of the scene, by their places in its list: document_models.cxx. The chosen one is worked on;
   // another is once nothing is computed any more. The only one cannot be removed.
@@ -53,10 +56,8 @@ public:
   void setModel(int place, bool shown, bool locked);
   // A part of the chosen one, by its number (cell array PartId) in what is shown of it now.
   void setPart(int number, bool shown);
-  // Why the chosen one takes no steps, in words; empty where it does.
-  QString whyNoSteps() const;
-  // The meshes that they show, of those that have one.
-  std::vector<oversketch_session::SharedData> shownMeshes() const;
+  // Why the chosen one takes no steps, or none of a system, in words; empty where it does.
+  QString whyNoSteps(const std::string& system = {}) const;
   // Begins a session whose first step makes a mesh of what will be drawn: over a picture, which readDrawing
   // has read on any thread; on an empty canvas. Reading throws Failed for what is no picture.
   using SharedStep = std::shared_ptr<const oversketch_session::Step>;
@@ -179,8 +180,8 @@ signals:
   // Another model is worked on: of another session (begun), or of the same.
   void begun();
   void opened();
-  // A step that the chosen model does not take (whyNoSteps) has been left aside.
-  void refused();
+  // A step that the chosen model does not take has been left aside (whyNoSteps).
+  void refused(const QString& why);
   // The document changed. The result of what was drawn or edited follows with shown(), and what comes after
   // the mesh with detailed().
   void changed(Change change);

@@ -3,6 +3,7 @@
 
 #include "files.h"
 #include "models.h"
+#include "systems.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,9 +13,9 @@ namespace oversketch_studio
 
 using namespace oversketch_session;
 
-Document::Opened Document::readModels(const QString& path, int backend)
+Document::Opened Document::readModels(const QString& path, int backend, vtkIdType most)
 {
-  Opened opened = Document::read(path, backend);
+  Opened opened = Document::read(path, backend, most);
   Session scene;
   scene.others = modelsOf(opened.session);
   scene.pictures = opened.session.pictures;
@@ -155,38 +156,33 @@ void Document::setPart(int number, bool shown)
   this->commitScene(withPartSeen(this->session(), sourceOf(this->Result.parts, number), shown));
 }
 
-QString Document::whyNoSteps() const
+QString Document::whyNoSteps(const std::string& system) const
 {
   const Session& scene = this->session();
   const QString name = QString::fromStdString(this->session().meshName);
+  const SystemRow* row = findSystem(system);
   return scene.locked   ? tr("%1 is locked and takes no strokes. Unlock it in the list Scene.").arg(name)
          : !scene.shown ? tr("%1 is hidden and takes no strokes. Tick it in the list Scene.").arg(name)
-                        : QString();
+         : scene.whole && row && !row->moves
+           ? tr("%1 is shown by fewer triangles than it has, and this would add some to those alone. Open a "
+                "coarser copy of it.")
+               .arg(name)
+           : QString();
 }
 
 bool Document::takes(const Session& next)
 {
-  if (this->whyNoSteps().isEmpty() || next.nodes == this->session().nodes)
+  QString why = this->whyNoSteps();
+  for (std::size_t i = 0; why.isEmpty() && i < next.nodes.size(); ++i)
+  {
+    why = next.nodes[i].on ? this->whyNoSteps(next.nodes[i].step->system) : why;
+  }
+  if (why.isEmpty() || next.nodes == this->session().nodes)
   {
     return true;
   }
-  emit this->refused();
+  emit this->refused(why);
   return false;
-}
-
-std::vector<SharedData> Document::shownMeshes() const
-{
-  std::vector<SharedData> meshes;
-  for (std::size_t place = 0; place < modelCount(this->session()); ++place)
-  {
-    const RestingModel* other = restingAt(this->session(), place);
-    const SharedData mesh = other ? other->made.mesh : this->shownData();
-    if (mesh)
-    {
-      meshes.push_back(mesh);
-    }
-  }
-  return meshes;
 }
 
 } // namespace oversketch_studio

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QPointer>
+#include <QProgressBar>
 #include <QProgressDialog>
 #include <QStringList>
 #include <QThreadPool>
@@ -21,7 +22,7 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int moment = 300; // ms
+constexpr int moment = 300, barMoment = 100; // ms
 
 QStringList going; // what is said of each, on the window's thread
 
@@ -42,7 +43,10 @@ struct Shared
   std::function<void()> work;
   std::exception_ptr failure;
   std::atomic<bool> done{ false }, givenUp{ false };
+  std::atomic<double> share{ 0.0 }; // done, where the work tells it
 };
+
+thread_local Shared* sharedHere = nullptr; // on a thread that works
 
 } // namespace
 
@@ -58,12 +62,14 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
       try
       {
         const oversketch_files::GiveUp asked(shared->givenUp);
+        sharedHere = shared.get();
         shared->work();
       }
       catch (...)
       {
         shared->failure = std::current_exception();
       }
+      sharedHere = nullptr;
       shared->work = nullptr; // with what it holds
       shared->done = true;
       const auto wake = [waiting]
@@ -89,6 +95,16 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
       shared->givenUp = true;
       loop.quit();
     });
+  QTimer timer;
+  QObject::connect(&timer,
+    &QTimer::timeout,
+    &loop,
+    [&, bar = dialog.findChild<QProgressBar*>()]
+    {
+      bar->setMaximum(shared->share > 0.0 ? 100 : 0);
+      bar->setValue(static_cast<int>(100.0 * shared->share));
+    });
+  timer.start(barMoment);
   // Before the dialogue is there no hand can do anything, and sees nothing of it.
   QTimer::singleShot(moment, &loop, [&loop] { loop.quit(); });
   loop.exec(QEventLoop::ExcludeUserInputEvents);
@@ -111,6 +127,20 @@ bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work
     std::rethrow_exception(shared->failure);
   }
   return true;
+}
+
+oversketch_session::Progress progressOfWork()
+{
+  Shared* here = sharedHere;
+  return { [here](double share)
+    {
+      if (here)
+      {
+        here->share = share;
+      }
+    },
+    {},
+    [here] { return here && here->givenUp; } };
 }
 
 QString longWorkGoing()

@@ -3,6 +3,8 @@
 #ifndef oversketch_applications_studio_document_long_work_h
 #define oversketch_applications_studio_document_long_work_h
 
+#include "large_mesh.h"
+
 #include <QString>
 
 #include <functional>
@@ -16,6 +18,8 @@ namespace oversketch_studio
 // comes to its place, and it must not use what may end before the program. Throws what it throws. After a
 // moment `what` is said in a dialogue with a button for giving it up.
 bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work);
+// What the work of this thread asks and tells: whether it has been given up, how far it is.
+oversketch_session::Progress progressOfWork();
 // The text of one that goes on, so that nothing else is to be begun; else empty.
 QString longWorkGoing();
 

@@ -47,6 +47,7 @@ const QSize frameRoom(16, 48); // px as Qt counts them, of a window's frame
 MainWindow::MainWindow(QWidget* parent)
   : QMainWindow(parent)
   , OpenDocument(new Document(this))
+  , Large(new LargeModels(this->OpenDocument, [this] { return !this->View->tool()->isBusy(); }))
   , View(new Viewport(this))
   , Tools(oversketch_studio::makeTools(this->View, this->OpenDocument))
   , Sides(new QSplitter(Qt::Horizontal, this))
@@ -520,10 +521,10 @@ void MainWindow::refresh()
   if (!this->OpenDocument->isBusy())
   {
     this->BusyTimer->stop();
-    this->Progress->hide();
+    this->Progress->setVisible(this->Large->isMaking());
     this->Cancel->hide();
   }
-  else if (!this->BusyTimer->isActive() && !this->Progress->isVisible())
+  else if (!this->BusyTimer->isActive() && !this->Cancel->isVisible())
   {
     this->BusyTimer->start();
   }

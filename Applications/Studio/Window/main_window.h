@@ -3,6 +3,7 @@
 #define oversketch_applications_studio_window_main_window_h
 
 #include "document.h"
+#include "large_models.h"
 #include "preferences.h"
 
 #include <QMainWindow>
@@ -112,7 +113,7 @@ private:
   void exportAsked();
   void exportModel(int model, int part, const QString& name);
   // As one mesh; of it that part, or -1 all.
-  void exportMeshes(const std::vector<oversketch_session::SharedData>& shown, int part, const QString& name);
+  void exportMeshes(const ExactResults& results, int part, const QString& name);
   void screenshot(bool lines);
   // Whether what is not saved may be left.
   bool mayLeave();
@@ -175,6 +176,7 @@ private:
   void showDetails();
 
   Document* OpenDocument;
+  LargeModels* Large;
   Viewport* View;
   QVector<Tool*> Tools;
   QVector<QAction*> ToolActions;   // of the same order

@@ -160,7 +160,7 @@ void MainWindow::advise()
     this->Advice->setText(tr("Open a model with Ctrl+O, or drop one here."));
     return;
   }
-  if (const QString why = this->OpenDocument->whyNoSteps(); !why.isEmpty())
+  if (const QString why = this->OpenDocument->whyNoSteps(tool->system()); !why.isEmpty())
   {
     this->Advice->setText(why);
     return;

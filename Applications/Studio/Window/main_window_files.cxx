@@ -170,8 +170,8 @@ bool MainWindow::open(const QString& path)
 bool MainWindow::openFile(const QString& path)
 {
   const int backend = this->OpenDocument->backend();
-  return this->openRead(
-    QFileInfo(path).fileName(), [path, backend] { return Document::read(path, backend); });
+  return this->openRead(QFileInfo(path).fileName(),
+    [path, backend, most = this->Large->most()] { return Document::read(path, backend, most); });
 }
 
 bool MainWindow::openExample(const Example& example)
@@ -201,7 +201,7 @@ bool MainWindow::recover(const LeftBehind& left, const QString& name)
   const QString folder = QString::fromStdString(left.folder);
   return this->readAside(
     name,
-    [folder, backend] { return Document::read(folder, backend); },
+    [folder, backend, most = this->Large->most()] { return Document::read(folder, backend, most); },
     [this, &left](Document::Opened read) { this->OpenDocument->recover(left, std::move(read)); });
 }
 
@@ -326,37 +326,45 @@ void MainWindow::exportAsked()
 {
   if (this->OpenDocument->isOpen() && this->mayBegin())
   {
-    this->exportMeshes(this->OpenDocument->shownMeshes(), -1, this->OpenDocument->name());
+    this->exportMeshes(this->Large->results(), -1, this->OpenDocument->name());
   }
 }
 
-void MainWindow::exportMeshes(const std::vector<SharedData>& shown, int part, const QString& name)
+void MainWindow::exportMeshes(const ExactResults& results, int part, const QString& name)
 {
-  if (shown.empty() || !shown.front())
+  if (results.empty() || !results.front())
   {
     return;
   }
-  const auto wears = [](const SharedData& mesh) { return !oversketch_files::picturesOf(mesh).empty(); };
-  const bool wearsPicture = std::any_of(shown.begin(), shown.end(), wears);
+  const auto wears = [](const auto& result)
+  { return !oversketch_files::picturesOf(result->dressed()).empty(); };
+  const bool wearsPicture = std::any_of(results.begin(), results.end(), wears);
   const QString path = exportPathAsked(this, QFileInfo(name).completeBaseName(), wearsPicture);
   if (path.isEmpty())
   {
     return;
   }
   // The window looks at them meanwhile, and a writer keeps ranges in the arrays.
-  const auto meshes = std::make_shared<std::vector<SharedData>>();
-  for (vtkPolyData* mesh : shown)
+  const auto meshes = std::make_shared<std::vector<vtkSmartPointer<vtkPolyData>>>();
+  for (const auto& result : results)
   {
-    auto copy = vtkSmartPointer<vtkPolyData>::New();
-    copy->DeepCopy(mesh);
-    meshes->emplace_back(std::move(copy));
+    meshes->push_back(result->isLarge() ? nullptr : deepCopyOf(result->dressed()));
   }
   const auto notes = std::make_shared<oversketch_files::Notes>();
   const QString file = QFileInfo(path).fileName();
   this->runAside(
     tr("Exporting %1…").arg(file),
-    [meshes, part, path, notes]
+    [meshes, results, part, path, notes]
     {
+      for (std::size_t i = 0; i < results.size(); ++i)
+      {
+        const SharedData exact = (*meshes)[i] ? SharedData() : results[i]->mesh(progressOfWork());
+        if (!(*meshes)[i] && !exact)
+        {
+          return; // given up
+        }
+        (*meshes)[i] = (*meshes)[i] ? (*meshes)[i] : deepCopyOf(exact);
+      }
       const auto whole = joined({ meshes->begin(), meshes->end() });
       meshes->clear(); // a large scene lies there once less
       const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);

@@ -306,6 +306,18 @@ void MainWindow::makeStatus()
       this->Progress->setFormat(tool ? tool->stage(stage) : stage);
       this->Progress->setValue(static_cast<int>(100.0 * share));
     });
+  connect(this->Large,
+    &LargeModels::progressed,
+    this,
+    [this](double share)
+    {
+      if (!this->OpenDocument->isBusy())
+      {
+        this->Progress->setFormat(tr("all triangles: %p%"));
+        this->Progress->setValue(static_cast<int>(100.0 * share));
+      }
+      this->Progress->setVisible(this->Large->isMaking() || this->Cancel->isVisible());
+    });
   connect(this->Cancel, &QPushButton::clicked, this->OpenDocument, &Document::cancel);
   connect(this->OpenDocument,
     &Document::autosaveFailed,

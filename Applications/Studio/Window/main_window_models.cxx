@@ -48,10 +48,11 @@ void MainWindow::listenToModels()
   connect(this->OpenDocument,
     &Document::refused,
     this,
-    [this]
+    [this](const QString& why)
     {
-      this->showResult(); // without what the hand has drawn, and with why
+      this->showResult(); // without what the hand has drawn
       this->Redrawn = -1;
+      this->Advice->setText(why);
     });
   connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
   connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportModel);
@@ -77,7 +78,7 @@ void MainWindow::addModel(const QString& path)
   const int backend = this->OpenDocument->backend();
   this->readAside(
     QFileInfo(path).fileName(),
-    [path, backend] { return Document::readModels(path, backend); },
+    [path, backend, most = this->Large->most()] { return Document::readModels(path, backend, most); },
     [this, &path](const Document::Opened& read)
     {
       this->OpenDocument->addModels(read);
@@ -95,9 +96,7 @@ void MainWindow::exportModel(int model, int part, const QString& name)
   {
     return;
   }
-  const RestingModel* other = restingAt(this->OpenDocument->session(), indexOf(model));
-  const SharedData mesh = other ? other->made.mesh : SharedData(this->OpenDocument->shownMesh());
-  this->exportMeshes({ mesh }, part, name);
+  this->exportMeshes({ this->Large->resultAt(indexOf(model)) }, part, name);
 }
 
 bool MainWindow::chooseModelAt(const QPoint& place)

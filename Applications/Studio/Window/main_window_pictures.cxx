@@ -1,8 +1,10 @@
 // The window's pictures: what is drawn over, and what stands behind the model.
 #include "main_window.h"
 
+#include "drawing_lines.h"
 #include "history_panel.h"
 #include "picture_files.h"
+#include "status_labels.h"
 #include "viewport.h"
 
 #include <QFileDialog>
@@ -70,9 +72,9 @@ void MainWindow::addPartAsked()
     this->newFromPictureAsked();
     return;
   }
-  if (!this->OpenDocument->whyNoSteps().isEmpty())
+  if (const QString why = this->OpenDocument->whyNoSteps(drawingSystem); !why.isEmpty())
   {
-    this->advise(); // says why
+    this->Advice->setText(why);
     return;
   }
   const QString path = this->pictureAsked(tr("Draw a further part over a picture"));

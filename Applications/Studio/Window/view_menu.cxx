@@ -44,6 +44,12 @@ QString shortNumber(vtkIdType count)
                            : ViewMenu::tr("%1M").arg(here.toString(static_cast<double>(count) / 1e6, 'f', 1));
 }
 
+// Quads count as two each.
+vtkIdType trianglesIn(vtkPolyData* mesh)
+{
+  return mesh->GetPolys()->GetNumberOfConnectivityIds() - 2 * mesh->GetNumberOfPolys();
+}
+
 } // namespace
 
 ViewSettings ViewSettings::read()
@@ -272,12 +278,16 @@ void ViewMenu::showOnion()
 void ViewMenu::refresh()
 {
   vtkPolyData* mesh = this->View->mesh();
-  // Quads count as two each.
-  const vtkIdType count =
-    mesh ? mesh->GetPolys()->GetNumberOfConnectivityIds() - 2 * mesh->GetNumberOfPolys() : 0;
-  this->Triangles->setText(mesh ? tr("%1 tri").arg(shortNumber(count)) : QString());
-  this->Triangles->setToolTip(
-    mesh ? tr("%1 triangles").arg(QLocale().toString(static_cast<qlonglong>(count))) : QString());
+  vtkPolyData* whole = mesh && this->Shown->isOpen() ? this->Shown->session().whole.Get() : nullptr;
+  const auto inFull = [](vtkPolyData* of)
+  { return QLocale().toString(static_cast<qlonglong>(trianglesIn(of))); };
+  const QString count = mesh ? shortNumber(trianglesIn(mesh)) : QString();
+  this->Triangles->setText(!mesh   ? QString()
+                           : whole ? tr("%1 of %2 tri").arg(count, shortNumber(trianglesIn(whole)))
+                                   : tr("%1 tri").arg(count));
+  this->Triangles->setToolTip(!mesh   ? QString()
+                              : whole ? tr("shown by %1 of %2 triangles").arg(inFull(mesh), inFull(whole))
+                                      : tr("%1 triangles").arg(inFull(mesh)));
 }
 
 void ViewMenu::showBefore(bool shown)
