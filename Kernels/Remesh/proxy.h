@@ -23,7 +23,8 @@ struct Proxy
 //
 // What is no manifold then, though the mesh is one there, is made anew of smaller cells: clusters with a hole
 // or a handle, edges of more than two triangles, triangles there twice or turned over, points whose triangles
-// are no single fan. At the finest each vertex stands alone. So a closed manifold gives a closed manifold of
+// are no single fan. At the finest each vertex stands alone; where that leaves too many triangles all begins
+// anew with larger cells. So a closed manifold gives a closed manifold of
 // the same kind; pieces that lie within one cell are lost, and holes of two. Where the mesh is no manifold
 // the proxy need be none.
 //
