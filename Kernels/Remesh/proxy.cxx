@@ -526,10 +526,11 @@ void findSize(const Mesh& mesh, double target, const Context& context, Grid& gri
 
 Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
 {
-  constexpr double mostExcess = 1.25; // by what was split
+  constexpr double share = 0.12;      // of the triangles, for what will be split
+  constexpr double mostExcess = 1.25; // of triangles, by that
   constexpr int mostTries = 3;
   Grid grid(mesh);
-  findSize(mesh, targetFaces, context, grid);
+  findSize(mesh, (1.0 - share) * targetFaces, context, grid);
   const std::vector<OddEdge> odd = oddEdges(mesh);
   for (int i = 1;; ++i)
   {
