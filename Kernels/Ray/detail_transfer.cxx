@@ -15,7 +15,7 @@ using Turn = Eigen::Quaterniond;
 // A triangle as a frame, and its corners in it, seen from the first one.
 struct Flat
 {
-  Eigen::Matrix3d axes; // the third is the normal; no numbers where the triangle has no area
+  Eigen::Matrix3d axes; // the third is the normal; zero where the triangle has no area
   Vector2 second, third;
 
   Flat(const std::vector<Vector3>& points, const Triangle& t)

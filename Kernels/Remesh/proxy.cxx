@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 namespace oversketch
 {
@@ -48,6 +49,12 @@ template <typename Number>
 bool allDiffer(const std::vector<Number>& of, const Triangle& t)
 {
   return of[t[0]] != of[t[1]] && of[t[1]] != of[t[2]] && of[t[2]] != of[t[0]];
+}
+
+// Twice the area times the normal.
+Vector3 areaNormal(const Mesh& mesh, const Triangle& t)
+{
+  return (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
 }
 
 class Grid
@@ -147,11 +154,13 @@ public:
     , Clusters(1)
   {
     std::vector<char> marks(1, 1); // all is one cluster
+    std::vector<int> near(mesh.triangles.size());
+    std::iota(near.begin(), near.end(), 0);
     for (int pass = 1; std::find(marks.begin(), marks.end(), 1) != marks.end(); ++pass)
     {
-      this->split(marks, this->trianglesAt(marks));
-      this->makeFaces();
-      marks = this->unsound();
+      this->split(marks, near);
+      this->addFaces(near);
+      marks = this->unsound(near);
       context.checkpoint(1.0 - 1.0 / (1 + pass));
     }
   }
@@ -184,17 +193,6 @@ public:
   }
 
 private:
-  std::vector<int> trianglesAt(const std::vector<char>& marks) const
-  {
-    return chosen(this->Whole.triangleCount(),
-      this->Caller,
-      [&](int t)
-      {
-        const Triangle& v = this->Whole.triangles[t];
-        return marks[this->Of[v[0]]] || marks[this->Of[v[1]]] || marks[this->Of[v[2]]];
-      });
-  }
-
   int rootOf(int v)
   {
     while (this->Root[v] != v)
@@ -206,7 +204,7 @@ private:
   }
 
   // Makes new clusters of the vertices of marked ones, by cells of half the size. `near`: the triangles at
-  // those.
+  // those, and perhaps others.
   void split(const std::vector<char>& marks, const std::vector<int>& near)
   {
     const std::vector<int> vertices =
@@ -283,10 +281,9 @@ private:
     for (const int t : near)
     {
       const Triangle& v = this->Whole.triangles[t];
-      const std::vector<Vector3>& points = this->Whole.points;
       const Triangle at = { this->Of[v[0]], this->Of[v[1]], this->Of[v[2]] };
       const bool inOne = at[0] == at[1] && at[1] == at[2];
-      const Vector3 normal = (points[v[1]] - points[v[0]]).cross(points[v[2]] - points[v[0]]);
+      const Vector3 normal = areaNormal(this->Whole, v);
       for (int k = 0; k < 3; ++k)
       {
         Cluster& cluster = this->Clusters[at[k]];
@@ -306,11 +303,20 @@ private:
     }
   }
 
-  void makeFaces()
+  // What has its corners in three clusters keeps them so.
+  void addFaces(const std::vector<int>& near)
   {
-    const std::vector<int> faces = chosen(this->Whole.triangleCount(),
-      this->Caller,
-      [this](int t) { return allDiffer(this->Of, this->Whole.triangles[t]); });
+    std::vector<int> fresh, all;
+    for (const int t : near)
+    {
+      if (allDiffer(this->Of, this->Whole.triangles[t]))
+      {
+        fresh.push_back(t);
+      }
+    }
+    std::set_union(
+      this->Staying.begin(), this->Staying.end(), fresh.begin(), fresh.end(), std::back_inserter(all));
+    this->Staying.swap(all);
     this->Faces.points.assign(this->Clusters.size(), Vector3::Zero());
     for (std::size_t c = 0; c < this->Clusters.size(); ++c)
     {
@@ -319,21 +325,24 @@ private:
         this->Faces.points[c] = this->Whole.points[this->Clusters[c].vertex];
       }
     }
-    this->Faces.triangles.resize(faces.size());
-    this->Caller.each(static_cast<int>(faces.size()),
-      [&](int i)
+    this->Faces.triangles.resize(this->Staying.size());
+    this->Caller.each(this->Faces.triangleCount(),
+      [this](int f)
       {
-        const Triangle& t = this->Whole.triangles[faces[i]];
-        this->Faces.triangles[i] = { this->Of[t[0]], this->Of[t[1]], this->Of[t[2]] };
+        const Triangle& t = this->Whole.triangles[this->Staying[f]];
+        this->Faces.triangles[f] = { this->Of[t[0]], this->Of[t[1]], this->Of[t[2]] };
       });
   }
 
-  bool isTurned(const Triangle& face) const
+  // Whether a face looks another way than its clusters, and than its own triangle: of clusters round a rim
+  // the one tells little, of a rough surface the other.
+  bool isTurned(int face) const
   {
-    const std::vector<Vector3>& p = this->Faces.points;
-    const Vector3 meant =
-      this->Clusters[face[0]].normal + this->Clusters[face[1]].normal + this->Clusters[face[2]].normal;
-    return !((p[face[1]] - p[face[0]]).cross(p[face[2]] - p[face[0]]).dot(meant) > 0.0);
+    const Triangle& at = this->Faces.triangles[face];
+    const Vector3 normal = areaNormal(this->Faces, at);
+    return !(normal.dot(areaNormal(this->Whole, this->Whole.triangles[this->Staying[face]])) > 0.0) &&
+           !(normal.dot(this->Clusters[at[0]].normal + this->Clusters[at[1]].normal +
+                        this->Clusters[at[2]].normal) > 0.0);
   }
 
   // What is wrong, each by the clusters that it is of.
@@ -366,9 +375,8 @@ private:
         defects.push_back(this->Faces.triangles[faces[0]]);
       }
     }
-    for (const int f : chosen(this->Faces.triangleCount(),
-           this->Caller,
-           [this](int t) { return this->isTurned(this->Faces.triangles[t]); }))
+    for (const int f :
+      chosen(this->Faces.triangleCount(), this->Caller, [this](int face) { return this->isTurned(face); }))
     {
       defects.push_back(this->Faces.triangles[f]);
     }
@@ -384,8 +392,8 @@ private:
   }
 
   // The clusters to split: those of defects, but where the mesh is no manifold itself, or nothing is left to
-  // split.
-  std::vector<char> unsound()
+  // split. `near`: the triangles there.
+  std::vector<char> unsound(std::vector<int>& near)
   {
     const std::vector<Triangle> all = this->defects();
     std::vector<char> marks(this->Clusters.size(), 0);
@@ -393,7 +401,14 @@ private:
     {
       marks[defect[0]] = marks[defect[1]] = marks[defect[2]] = 1;
     }
-    const std::vector<char> rough = this->notManifold(marks);
+    near = chosen(this->Whole.triangleCount(),
+      this->Caller,
+      [&](int t)
+      {
+        const Triangle& v = this->Whole.triangles[t];
+        return marks[this->Of[v[0]]] || marks[this->Of[v[1]]] || marks[this->Of[v[2]]];
+      });
+    const std::vector<char> rough = this->notManifold(marks, near);
     std::fill(marks.begin(), marks.end(), 0);
     for (const Triangle& defect : all)
     {
@@ -409,10 +424,9 @@ private:
   }
 
   // Which of the marked clusters have a vertex where the mesh is no manifold.
-  std::vector<char> notManifold(const std::vector<char>& marks)
+  std::vector<char> notManifold(const std::vector<char>& marks, const std::vector<int>& near)
   {
     std::vector<char> rough(marks.size(), 0);
-    const std::vector<int> near = this->trianglesAt(marks);
     std::vector<int>& place = this->Root; // in the part, of the triangles' corners
     for (const int t : near)
     {
@@ -467,24 +481,19 @@ private:
   std::vector<int> Root; // per vertex one of its cluster, the least of all at the end of the way
   std::vector<Cell> CellOf;
   std::vector<Cluster> Clusters; // with those that were split
-  Mesh Faces;                    // of clusters
+  std::vector<int> Staying;      // triangles with their corners in three clusters
+  Mesh Faces;                    // those, of clusters
 };
-
-double areaOf(const Mesh& mesh)
-{
-  double area = 0.0;
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    area += facetArea(mesh, t);
-  }
-  return area;
-}
 
 // Sets cells that leave about so many triangles with their corners in three.
 void findSize(const Mesh& mesh, double target, const Context& context, Grid& grid)
 {
   // A surface in any direction meets one and a half cells per square of their size; two triangles a cell.
-  const double area = areaOf(mesh);
+  double area = 0.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    area += 0.5 * areaNormal(mesh, t).norm();
+  }
   if (!(area > 0.0))
   {
     throw Error(Failure::BadMesh, "No triangle of the mesh has an area; give a mesh with triangles.");
@@ -517,10 +526,11 @@ void findSize(const Mesh& mesh, double target, const Context& context, Grid& gri
 
 Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
 {
-  constexpr double mostExcess = 1.25; // by what was split
+  constexpr double share = 0.12;      // of the triangles, for what will be split
+  constexpr double mostExcess = 1.25; // of triangles, by that
   constexpr int mostTries = 3;
   Grid grid(mesh);
-  findSize(mesh, targetFaces, context, grid);
+  findSize(mesh, (1.0 - share) * targetFaces, context, grid);
   const std::vector<OddEdge> odd = oddEdges(mesh);
   for (int i = 1;; ++i)
   {

@@ -1,4 +1,5 @@
 // A proxy of a mesh, and the mesh moved as it was.
+#include "Harness/data.h"
 #include "Harness/edges.h"
 #include "Harness/polydata.h"
 #include "Harness/promises.h"
@@ -8,6 +9,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
+#include "vtkPLYReader.h"
 
 #include <gtest/gtest.h>
 
@@ -79,6 +81,25 @@ TEST(Proxy, ItsPointsAreTheMeshsOwnWithTheirArrays)
     mesh->GetPoint(static_cast<vtkIdType>(number->GetComponent(i, 0)), from.data());
     EXPECT_EQ(place, was);
     EXPECT_EQ(place, from);
+  }
+}
+
+TEST(Proxy, TheBunnyKeepsItsKind)
+{
+  const std::string path = sharedData("meshes/bunny_30k.ply");
+  if (path.empty())
+  {
+    GTEST_SKIP() << "meshes/bunny_30k.ply is not there";
+  }
+  vtkNew<vtkPLYReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  const Mesh bunny = MeshOf(reader->GetOutput()), proxy = MeshOf(proxyOf(reader->GetOutput()));
+  EXPECT_EQ(eulerNumber(proxy.triangles), eulerNumber(bunny.triangles));
+  const Adjacency around = buildAdjacency(proxy);
+  for (const MeshEdge& edge : around.edges)
+  {
+    EXPECT_EQ(edge.triangleCount, 2);
   }
 }
 
