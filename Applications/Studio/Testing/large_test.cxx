@@ -218,10 +218,12 @@ TEST(Large, ANewerStepGivesUpWhatIsMade)
     dog.large,
     [&](double share)
     {
-      told.push_back(share);
-      if (!older)
+      if (older)
       {
-        EXPECT_TRUE(dog.large->isMaking());
+        told.push_back(share);
+      }
+      else if (dog.large->isMaking())
+      {
         older = dog.large->resultAt(0);
         dog.document->add(*dog.session().nodes[0].step);
         EXPECT_FALSE(dog.large->isMaking());
@@ -229,8 +231,8 @@ TEST(Large, ANewerStepGivesUpWhatIsMade)
     });
   dog.stroke();
   ASSERT_TRUE(QTest::qWaitFor([&] { return older != nullptr; }, 600000));
-  ASSERT_GE(told.size(), 2u);
-  EXPECT_EQ(told[1], 1.0) << "it went on";
+  ASSERT_FALSE(told.empty());
+  EXPECT_EQ(told[0], 1.0) << "it went on";
   dog.wait();
   ASSERT_EQ(dog.document->result().nodes.size(), 2u);
   EXPECT_TRUE(dog.isMadeAtLast());
