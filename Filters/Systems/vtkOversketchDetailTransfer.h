@@ -19,7 +19,7 @@
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray where the proxy has no
  * Origin. A mesh without points gives an empty output silently.
  *
- * Deterministic, for any number of threads. Cost: some 2 s a million points and core.
+ * Deterministic, for any number of threads. Cost: some 1.5 s a million points and core.
  *
  * @sa vtkOversketchProxy
  */

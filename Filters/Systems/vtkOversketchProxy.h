@@ -18,7 +18,7 @@
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, also where no triangle has an area. A mesh
  * without points gives an empty output silently.
  *
- * A closed manifold gives a closed manifold. Deterministic, for any number of threads. Cost: some 0.4 s a
+ * A closed manifold gives a closed manifold. Deterministic, for any number of threads. Cost: some 0.5 s a
  * million triangles.
  *
  * @sa vtkOversketchDetailTransfer

@@ -1,5 +1,7 @@
 #include "Remesh/proxy.h"
 
+#include "Remesh/passes.h"
+
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -335,14 +337,14 @@ private:
   }
 
   // Whether a face looks another way than its clusters, and than its own triangle: of clusters round a rim
-  // the one tells little, of a rough surface the other.
+  // the one tells little, of a rough surface the other. Flips get no hold of what is turned so far.
   bool isTurned(int face) const
   {
     const Triangle& at = this->Faces.triangles[face];
     const Vector3 normal = areaNormal(this->Faces, at);
-    return !(normal.dot(areaNormal(this->Whole, this->Whole.triangles[this->Staying[face]])) > 0.0) &&
-           !(normal.dot(this->Clusters[at[0]].normal + this->Clusters[at[1]].normal +
-                        this->Clusters[at[2]].normal) > 0.0);
+    return turned(areaNormal(this->Whole, this->Whole.triangles[this->Staying[face]]), normal) &&
+           turned(this->Clusters[at[0]].normal + this->Clusters[at[1]].normal + this->Clusters[at[2]].normal,
+             normal);
   }
 
   // What is wrong, each by the clusters that it is of.
@@ -522,6 +524,23 @@ void findSize(const Mesh& mesh, double target, const Context& context, Grid& gri
   }
 }
 
+// Flips the edges of needles, which clusters leave and light shows.
+void evenOut(Mesh& mesh, const Context& context)
+{
+  const std::vector<char> active(mesh.triangles.size(), 1);
+  const std::vector<int> charts;
+  const Surface surface(mesh, active, charts);
+  Patch patch(surface, active, std::vector<double>(mesh.points.size(), 1.0), {}, {}, false);
+  Steps steps{ context };
+  flipByAngle(patch, steps);
+  std::vector<Triangle> flipped(mesh.triangles.size());
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    flipped[t] = patch.triangle(t);
+  }
+  mesh.triangles = std::move(flipped);
+}
+
 } // namespace
 
 Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
@@ -539,6 +558,7 @@ Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
     const double excess = static_cast<double>(proxy.mesh.triangleCount()) / targetFaces;
     if (excess <= mostExcess || i == mostTries)
     {
+      evenOut(proxy.mesh, context);
       return proxy;
     }
     grid.setSize(grid.size() * std::sqrt(excess));

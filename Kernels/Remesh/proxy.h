@@ -22,10 +22,11 @@ struct Proxy
 // stay.
 //
 // What is no manifold then, though the mesh is one there, is made anew of smaller cells: clusters with a hole
-// or a handle, edges of more than two triangles, triangles there twice or turned over, points whose triangles
-// are no single fan. At the finest each vertex stands alone; where that leaves too many triangles all begins
-// anew with larger cells. So a closed manifold gives a closed manifold of the same kind; pieces that lie
-// within one cell are lost, and holes of two. Where the mesh is no manifold the proxy need be none.
+// or a handle, edges of more than two triangles, triangles there twice or turned by over 60 degrees, points
+// whose triangles are no single fan. At the finest each vertex stands alone; where that leaves too many
+// triangles all begins anew with larger cells. So a closed manifold gives a closed manifold of the same kind;
+// pieces that lie within one cell are lost, and holes of two. Where the mesh is no manifold the proxy need be
+// none. At last edges of needles are flipped, which light would show.
 //
 // Throws Error(BadMesh) where nothing has an area, Error(Cancelled). Linear in the mesh; the same for any
 // number of threads.
