@@ -63,6 +63,9 @@ REACH = [
     ("triangulation", "CGAL", 1.0, None),
     ("constrained triangulation", "CGAL", 1.0, None),
     ("drawing: new", "limit", 1.0, None),
+    ("ten million: proxy", "limit", 1.0, None),
+    ("ten million: first stroke on the proxy", "limit", 1.0, None),
+    ("ten million: exact result", "limit", 1.0, None),
     ("drawing: another feature", "limit", 1.0, None),
 ]
 # Jobs whose cost should grow with the model: from 180k to the million, per triangle, at most by this factor.
