@@ -13,24 +13,25 @@ constexpr double moveNarrowest = 0.25; // sine squared of 30 degrees, as for a f
 constexpr double moveDeviation = 0.1;  // how far a vertex may leave the surface behind, in target lengths
 constexpr double smallestMove = 0.01;  // not worth the tests, in target lengths
 constexpr int checkEvery = 1024;       // vertices or triangles between two looks at whether to stop
+constexpr int worthThreads = 512;      // of them
 
 } // namespace
 
 template <typename Body>
 void Relaxation::parallel(int count, const Body& body) const
 {
-  this->Caller.parallelFor(count,
-    [this, &body](int begin, int end)
+  const auto all = [this, &body](int begin, int end)
+  {
+    for (int i = begin; i < end; ++i)
     {
-      for (int i = begin; i < end; ++i)
+      if (i % checkEvery == 0 && this->Caller.cancelled())
       {
-        if (i % checkEvery == 0 && this->Caller.cancelled())
-        {
-          return;
-        }
-        body(i);
+        return;
       }
-    });
+      body(i);
+    }
+  };
+  count < worthThreads ? all(0, count) : this->Caller.parallelFor(count, all);
 }
 
 // Calls visit(spoke) for the half-edges out of a free vertex.
@@ -230,6 +231,15 @@ void Relaxation::settle()
   const int count = this->Area.vertexCount();
   this->parallel(count, [this](int v) { this->Unsafe[v] = this->Moves[v] && !this->safe(v) ? 1 : 0; });
   std::vector<int> back = marked(this->Unsafe), triangles, around;
+  std::vector<char> isListed(this->Crosses.size(), 0), isAround(this->Points.size(), 0);
+  const auto list = [](int i, std::vector<char>& marks, std::vector<int>& all)
+  {
+    if (!marks[i])
+    {
+      marks[i] = 1;
+      all.push_back(i);
+    }
+  };
   while (!back.empty() && !this->Caller.cancelled())
   {
     triangles.clear();
@@ -238,34 +248,37 @@ void Relaxation::settle()
     {
       this->Moves[v] = 0;
       this->Points[v] = this->Area.Points[v];
-      this->eachSpoke(v, [&](int h) { triangles.push_back(h / 3); });
+      this->eachSpoke(v, [&](int h) { list(h / 3, isListed, triangles); });
     }
-    sortUnique(triangles);
     const std::size_t changed = triangles.size();
+    this->parallel(static_cast<int>(changed), [&](int i) { this->see(triangles[i]); });
     for (std::size_t i = 0; i < changed; ++i)
     {
-      this->see(triangles[i]);
       for (int h = 3 * triangles[i]; h < 3 * triangles[i] + 3; ++h)
       {
         const int twin = this->Area.Twin[h];
         if (twin >= 0)
         {
-          triangles.push_back(twin / 3); // sees another fold now
+          list(twin / 3, isListed, triangles); // sees another fold now
         }
       }
     }
-    sortUnique(triangles);
+    this->parallel(static_cast<int>(triangles.size()), [&](int i) { this->seeFolds(triangles[i]); });
     for (const int t : triangles)
     {
-      this->seeFolds(t);
-      const Triangle c = this->Area.triangle(t);
-      around.insert(around.end(), c.begin(), c.end());
+      isListed[t] = 0;
+      for (const int v : this->Area.triangle(t))
+      {
+        list(v, isAround, around);
+      }
     }
-    sortUnique(around);
+    this->parallel(static_cast<int>(around.size()),
+      [&](int i) { this->Unsafe[around[i]] = this->Moves[around[i]] && !this->safe(around[i]) ? 1 : 0; });
     back.clear();
     for (const int v : around)
     {
-      if (this->Moves[v] && !this->safe(v))
+      isAround[v] = 0;
+      if (this->Unsafe[v])
       {
         back.push_back(v);
       }
