@@ -70,6 +70,7 @@ public:
   }
   void setSize(double size) { this->Size = std::max(size, leastCell * this->Longest); }
   double size() const { return this->Size; }
+  double longest() const { return this->Longest; } // side of the box
 
   Cell cellAt(const Vector3& p, int level) const
   {
@@ -547,6 +548,7 @@ Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
 {
   constexpr double share = 0.12;      // of the triangles, for what will be split
   constexpr double mostExcess = 1.25; // of triangles, by that
+  constexpr double leastShare = 0.5;  // of the triangles: with fewer, cells cannot be as small as they should
   constexpr int mostTries = 3;
   Grid grid(mesh);
   findSize(mesh, (1.0 - share) * targetFaces, context, grid);
@@ -556,6 +558,14 @@ Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context)
     const Clustering clustering(mesh, grid, odd, context);
     Proxy proxy = clustering.proxy();
     const double excess = static_cast<double>(proxy.mesh.triangleCount()) / targetFaces;
+    if (excess < leastShare)
+    {
+      throw Error(Failure::BadMesh,
+        "The mesh is over %1 times as long as the triangles of a proxy would be; remove what lies far from "
+        "the "
+        "rest.",
+        std::llround(grid.longest() / grid.size()));
+    }
     if (excess <= mostExcess || i == mostTries)
     {
       evenOut(proxy.mesh, context);

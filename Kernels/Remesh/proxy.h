@@ -28,8 +28,8 @@ struct Proxy
 // pieces that lie within one cell are lost, and holes of two. Where the mesh is no manifold the proxy need be
 // none. At last edges of needles are flipped, which light would show.
 //
-// Throws Error(BadMesh) where nothing has an area, Error(Cancelled). Linear in the mesh; the same for any
-// number of threads.
+// Throws Error(BadMesh) where nothing has an area or pieces lie too far apart, Error(Cancelled). Linear in
+// the mesh; the same for any number of threads.
 Proxy makeProxy(const Mesh& mesh, int targetFaces, const Context& context = Context());
 
 } // namespace oversketch

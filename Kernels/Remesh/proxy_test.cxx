@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 
 using namespace oversketch;
 using namespace oversketch_test;
@@ -107,6 +108,22 @@ TEST(MakeProxy, MakesNoMoreOfWhatIsNoManifold)
   mesh.points.emplace_back(0.0, 0.0, 3.0);
   mesh.triangles.push_back({ fin[0], fin[1], mesh.vertexCount() - 1 });
   EXPECT_NEAR(makeProxy(mesh, 1500).mesh.triangleCount(), 1500, 450);
+}
+
+TEST(MakeProxy, RefusesWhatReachesSoFarThatNoCellsAreSmallEnough)
+{
+  Mesh mesh = icosphere(5);
+  mesh.points.emplace_back(1e8, 0.0, 0.0);
+  try
+  {
+    makeProxy(mesh, 1500);
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.failure(), Failure::BadMesh);
+    EXPECT_NE(std::string(error.what()).find("far from the rest"), std::string::npos) << error.what();
+  }
 }
 
 TEST(MakeProxy, IsTheSameForAnyThreadsAndEndsWhenCancelled)
