@@ -52,11 +52,7 @@ QString OneStrokeTool::advice(const Situation& situation) const
 
 QString OneStrokeTool::stage(const QString& name) const
 {
-  if (name == "ShapeDiameter")
-  {
-    return tr("Measuring the thickness");
-  }
-  if (name == "MixtureRegion")
+  if (name == "ShapeDiameter" || name == "MixtureRegion")
   {
     return tr("Finding the limb");
   }
