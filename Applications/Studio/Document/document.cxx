@@ -248,7 +248,7 @@ SessionFile Document::file() const
   SessionFile file;
   file.session = this->session();
   const bool isWhole = this->Result.nodes.size() == file.session.nodes.size();
-  // That of a proxy is no result.
+  // A proxy's digest is no result's.
   if (!this->isBusy() && !this->Digest.empty() && isWhole && !file.session.whole)
   {
     file.origin = originHere(this->Result.backendUsed);

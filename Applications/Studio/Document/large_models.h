@@ -21,7 +21,7 @@ namespace oversketch_studio
 
 class Document;
 
-// What the steps of a model make, to the last triangle.
+// The result of a model's steps, to the last triangle.
 class ExactResult
 {
 public:
@@ -29,7 +29,7 @@ public:
   ExactResult(const oversketch_session::Model& model, const oversketch_session::SharedData& shown);
 
   bool isLarge() const { return this->Whole; }
-  // Whether it shares its points and faces with what is shown, of the same model.
+  // Tells whether it is of this model, and shares its points and faces with what is shown.
   bool isOf(const oversketch_session::Model& model, const oversketch_session::SharedData& shown) const;
   bool isMade() const { return this->Share == 1.0; }
   double share() const { return this->Share; }
@@ -77,7 +77,7 @@ private:
   std::function<bool()> Rests;
   vtkIdType Most = oversketch_session::mostTriangles;
   std::shared_ptr<ExactResult> Chosen; // that of the model that is worked on
-  // What is made behind the hand is there, or is to be given up.
+  // True where the result behind the hand is there, or is to be given up.
   std::shared_ptr<std::atomic<bool>> Ends = std::make_shared<std::atomic<bool>>(true);
   QTimer Rest, Look;
   QThreadPool Thread; // last, so that it ends first

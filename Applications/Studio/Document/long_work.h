@@ -18,7 +18,7 @@ namespace oversketch_studio
 // comes to its place, and it must not use what may end before the program. Throws what it throws. After a
 // moment `what` is said in a dialogue with a button for giving it up.
 bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work);
-// What the work of this thread asks and tells: whether it has been given up, how far it is.
+// Progress that this thread's work tells, and its question whether it has been given up.
 oversketch_session::Progress progressOfWork();
 // The text of one that goes on, so that nothing else is to be begun; else empty.
 QString longWorkGoing();

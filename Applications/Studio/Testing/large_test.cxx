@@ -32,7 +32,7 @@ using namespace oversketch_session;
 namespace
 {
 
-// The same surface of four times as many triangles.
+// A surface of four times as many triangles, the same shape.
 vtkSmartPointer<vtkPolyData> quartered(vtkPolyData* mesh)
 {
   vtkNew<vtkPoints> points;
@@ -98,7 +98,7 @@ struct LargeDog : Scene
   {
     return QTest::qWaitFor([this] { return this->large->resultAt(0)->isMade(); }, 600000);
   }
-  // What the menu's entry writes.
+  // Chooses the menu's entry, and reads what it wrote.
   vtkSmartPointer<vtkPolyData> exported(const QString& name)
   {
     const QString path = this->folder.filePath(name);
