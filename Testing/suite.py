@@ -142,7 +142,8 @@ def run(name, full):
     told = re.findall(r"^\d+% tests passed, .*|^Total Test time.*", text, re.M)
     print(f"{name:15} {took:7.0f} s  {'passed' if code == 0 else 'FAILED'}  {told[0] if told else ''}", flush=True)
     if code != 0:
-        print("\n".join(text.splitlines()[-60:]) + f"\nlog: {log.relative_to(ROOT)}", file=sys.stderr)
+        causes = re.findall(r"^.*: Failure\n(?:.*\n){4}|^E  .*\n", text, re.M)  # GoogleTest's and pytest's
+        print("".join(causes[:20]) + "\n".join(text.splitlines()[-60:]) + f"\nlog: {log.relative_to(ROOT)}", file=sys.stderr)
     return code, took
 
 
