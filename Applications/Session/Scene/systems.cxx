@@ -16,6 +16,9 @@
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
 #endif
+#ifdef OVERSKETCH_WITH_RELAX
+#include "vtkOversketchRelax.h"
+#endif
 #ifdef OVERSKETCH_WITH_STELLAR
 #include "vtkOversketchTerrain.h"
 #endif
@@ -438,6 +441,52 @@ SystemRow terrain()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_RELAX
+SystemRow relax()
+{
+  using System = vtkOversketchRelax;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Relax";
+  row.verb = "relax";
+  row.title = "Smoothing";
+  row.brief = "smooth a mesh along strokes";
+  row.help =
+    "Relaxes the surface in a band on both sides of strokes that were drawn over it: bumps smaller than the "
+    "band go, the shape stays. Lengths are those of the model, or with % a share of the diagonal of its box.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is smoothed", Kind::Mesh, 0 },
+    { "Strokes",
+      "strokes",
+      "polylines in pixels, each with its view, and with a radius of its own where it has that array",
+      Kind::Stroke,
+      1 } };
+  row.parameters = {
+    length(parameter<System>(PROPERTY(System, Radius),
+      "radius",
+      "Radius",
+      "how far from the stroke the surface is smoothed, below 0 for 3% of the mesh's size")),
+    between(0,
+      1,
+      parameter<System>(
+        PROPERTY(System, Strength), "strength", "Strength", "share of the way to the smooth surface")),
+    parameter<System>(PROPERTY(System, UsePressure),
+      "use-pressure",
+      "Pressure is strength",
+      "multiply the strength by the pen's pressure"),
+    between(0,
+      180,
+      parameter<System>(PROPERTY(System, FeatureAngle),
+        "feature-angle",
+        "Keep edges over",
+        "points at edges that bend by more degrees stay, 180 for none")),
+  };
+  row.mirroring = Mirroring::Strokes;
+  row.moves = true;
+  return row;
+}
+#endif
+
 #undef PROPERTY
 
 } // namespace
@@ -466,6 +515,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     withDefaults(inflateDrawing()),
+#endif
+#ifdef OVERSKETCH_WITH_RELAX
+    withDefaults(relax()),
 #endif
 #ifdef OVERSKETCH_WITH_STELLAR
     withDefaults(terrain()),

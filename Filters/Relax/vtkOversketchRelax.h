@@ -1,0 +1,119 @@
+/**
+ * @class vtkOversketchRelax
+ * @brief strokes over a mesh relax it there: what is small goes, the shape stays
+ *
+ * Source: ours; none of the papers has it. A stroke is projected on the surface {Curves}. In a band on both
+ * sides of it a thin plate is laid that clings to the surface (M. Botsch, L. Kobbelt, "An intuitive framework
+ * for real-time freeform modeling", 2004; implicit as in M. Desbrun et al., "Implicit fairing of irregular
+ * meshes", 1999): waves shorter than the band's width are gone in one pass, whatever the triangles, a bend
+ * that is longer stays, and with it the volume. The rim is held with its tangents. Of a limb that is thinner
+ * than the band waves below its girth alone go, so that it keeps that.
+ *
+ * Input 0 (Mesh): triangle mesh, vtkPolyData; borders, non-manifold edges and any orientation are tolerated.
+ * Points that a reader split for texture coordinates or normals are welded for computing (exactly equal
+ * positions), so seams stay closed.
+ * Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize; any number, each with its own view, all at once. Cell array Radius [model length] goes before
+ * the parameter, point array Pressure is read with UsePressure.
+ *
+ * Output 0: the mesh with other points, in its own type; cells and arrays are passed, point normals turn with
+ * the surface. Points beyond the band, on borders and at edges with more than two triangles are
+ * bit-identical.
+ *
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; BadStroke, naming the stroke, where there
+ * is none, where it misses the mesh, for values that are not finite, a radius that is not positive, and where
+ * no point may move, as the triangles are larger than the band. An empty mesh gives an empty output silently.
+ * A run that AbortExecute stopped needs Modified() before the next.
+ *
+ * Deterministic: same result bit for bit for any number of threads. The first stroke on a mesh makes its ray
+ * scene, each further one costs what its band does.
+ *
+ * @sa vtkOversketchSurfaceStroke vtkOversketchAugment
+ */
+#ifndef vtkOversketchRelax_h
+#define vtkOversketchRelax_h
+
+#include "OversketchFiltersRelaxModule.h" // For export macro
+#include "vtkOversketchSystem.h"
+
+#include <memory>
+
+class OVERSKETCHFILTERSRELAX_EXPORT vtkOversketchRelax : public vtkOversketchSystem
+{
+public:
+  static vtkOversketchRelax* New();
+  vtkTypeMacro(vtkOversketchRelax, vtkOversketchSystem);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void SetStrokesConnection(vtkAlgorithmOutput* strokes) { this->SetInputConnection(1, strokes); }
+  void SetStrokesData(vtkPolyData* strokes) { this->SetInputData(1, strokes); }
+
+  ///@{
+  /**
+   * Half the width of the band [model length; default -1: below 0 stands for 3 % of the mesh's diagonal].
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Share of the way that points move to the relaxed surface [0 to 1, default 1].
+   */
+  vtkSetClampMacro(Strength, double, 0.0, 1.0);
+  vtkGetMacro(Strength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Multiply the strength by the pen's pressure, where the strokes have it [default on].
+   */
+  vtkSetMacro(UsePressure, bool);
+  vtkGetMacro(UsePressure, bool);
+  vtkBooleanMacro(UsePressure, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Keep points at edges that bend by more than this [degrees, 0 to 180; default 180: none], such as the
+   * crest of a line.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  /**
+   * How many times a band has been relaxed: runs that the kept result did not answer.
+   */
+  vtkGetMacro(RelaxCount, vtkIdType);
+
+  bool Prepare() override;
+  bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
+  void GetHold(vtkPolyData* hold) override;
+  void GetRegion(vtkPolyData* region) override;
+  /**
+   * "moved": how many points of the output lie elsewhere; "farthest": by how much at most [model length].
+   */
+  FigureList Figures() override;
+
+protected:
+  vtkOversketchRelax();
+  ~vtkOversketchRelax() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkOversketchRelax(const vtkOversketchRelax&) = delete;
+  void operator=(const vtkOversketchRelax&) = delete;
+
+  double Radius = -1.0;
+  double Strength = 1.0;
+  bool UsePressure = true;
+  double FeatureAngle = 180.0;
+  vtkIdType RelaxCount = 0;
+
+  struct Inner;
+  std::unique_ptr<Inner> Internals;
+};
+
+#endif

@@ -1,0 +1,550 @@
+#include "Relax/relax.h"
+
+#include "Mesh/context.h"
+#include "Mesh/nearest.h"
+#include "Sparse/cholesky.h"
+#include "Sparse/laplacian.h"
+
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace oversketch
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+
+// In radii: how far a curve has its whole effect, which then fades, and how far the surface is relaxed to
+// know what the rim goes on as. Beyond the radius each point counts for many, so that the shape there is held
+// and its noise comes to nothing in the mean.
+constexpr double wholeWithin = 0.8, solvedWithin = 2.0, weightBeyond = 100.0;
+
+// What a curve says of the surface at its points.
+struct Ground
+{
+  double radius;
+  std::vector<Vector3> normals;            // means over a radius each way; empty: either side will do
+  std::vector<double> scales, thicknesses; // likewise
+};
+
+// Means of a curve's values over a window of arc length to either side of each point.
+template <typename Value>
+std::vector<Value> averaged(const FeatureCurve& curve, const std::vector<Value>& values, double reach)
+{
+  std::vector<Value> result(values);
+  const int count = static_cast<int>(values.size());
+  int first = 0, last = 0; // of the window, the second exclusive
+  Value sum = values[0] - values[0];
+  for (int i = 0; i < count; ++i)
+  {
+    for (; last < count && curve.arc[last] <= curve.arc[i] + reach; ++last)
+    {
+      sum += values[last];
+    }
+    for (; curve.arc[first] < curve.arc[i] - reach; ++first)
+    {
+      sum -= values[first];
+    }
+    result[i] = sum / static_cast<double>(last - first);
+  }
+  return result;
+}
+
+// The least of a curve's values in such windows.
+std::vector<double> leastNear(const FeatureCurve& curve, const std::vector<double>& values, double reach)
+{
+  std::vector<double> result(values);
+  const int count = static_cast<int>(values.size());
+  for (int i = 0; i < count; ++i)
+  {
+    for (const int step : { -1, 1 })
+    {
+      for (int k = i; k >= 0 && k < count && std::abs(curve.arc[k] - curve.arc[i]) <= reach; k += step)
+      {
+        result[i] = std::min(result[i], values[k]);
+      }
+    }
+  }
+  return result;
+}
+
+Ground groundOf(const FeatureCurve& curve, const RelaxOptions& options)
+{
+  Ground ground{ curve.radius.value_or(options.radius), {}, {}, {} };
+  // Of a limb that is thinner than the band the surface may not be drawn in from all sides: it keeps the
+  // waves that go round it.
+  constexpr double shareOfThickness = 0.2;
+  std::vector<double> thicknesses(curve.points.size(), ground.radius / shareOfThickness);
+  for (std::size_t i = 0; i < curve.room.size(); ++i)
+  {
+    thicknesses[i] = std::min(thicknesses[i], curve.room[i][0]);
+  }
+  ground.thicknesses = averaged(curve, leastNear(curve, thicknesses, ground.radius), ground.radius);
+  for (const double thickness : ground.thicknesses)
+  {
+    ground.scales.push_back(shareOfThickness * thickness);
+  }
+  if (!curve.normals.empty())
+  {
+    ground.normals = averaged(curve, curve.normals, ground.radius);
+    for (Vector3& n : ground.normals)
+    {
+      n.stableNormalize();
+    }
+  }
+  return ground;
+}
+
+// How far a place is from the surface that the curve lies on: that lies no further down or up than aside, but
+// for what stands out where it is rough, less in a thin part. 1 where it can only just be of it.
+double besideness(const Vector3& offset, const Vector3& normal, double radius, double thickness)
+{
+  constexpr double steepest = 1.2;
+  const double depth = std::abs(offset.dot(normal));
+  const double aside = std::sqrt(std::max(0.0, offset.squaredNorm() - depth * depth));
+  return depth / (steepest * aside + std::min(0.5 * radius, 0.25 * thickness));
+}
+
+// What becomes of a vertex by the curve that is nearest in terms of its radius; a scale of 0 where none is
+// near.
+struct Hold
+{
+  double share = 0.0, scale = 0.0;
+  double own = 0.0;     // whether it is within the radius and of the curve's own surface, 0 to 1
+  double longest = 0.0; // way over the surface from the curve: what is near by a longer one is another part
+};
+
+// 1 up to one distance, 0 from another one on.
+double fading(double distance, double from, double to)
+{
+  const double t = std::clamp((to - distance) / (to - from), 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+// The effect of a curve at a point, by all of its places: where another place becomes the nearest, with
+// another pressure, it does not leap.
+double effectAt(const Vector3& point, const CurveSearch& search, int number, double radius, bool usePressure)
+{
+  const FeatureCurve& curve = search.curves()[number];
+  Eigen::AlignedBox3d reach(point);
+  reach.extend(point + Vector3::Constant(radius)).extend(point - Vector3::Constant(radius));
+  double effect = 0.0;
+  search.meet(number,
+    reach,
+    [&](int segment)
+    {
+      const int end = curve.segmentEnd(segment);
+      const Vector3 offset = point - curve.points[segment], along = curve.points[end] - curve.points[segment];
+      const double t = nearestShare(offset, along);
+      const bool pressed = usePressure && !curve.pressure.empty();
+      const double pressure =
+        pressed ? curve.pressure[segment] + t * (curve.pressure[end] - curve.pressure[segment]) : 1.0;
+      const double near = fading((offset - t * along).norm() / radius, wholeWithin, 1.0);
+      effect = std::max(effect, near * std::clamp(pressure, 0.0, 1.0));
+      return false;
+    });
+  return effect;
+}
+
+Hold holdAt(const Vector3& point,
+  const CurveSearch& search,
+  const std::vector<Ground>& grounds,
+  const RelaxOptions& options)
+{
+  Hold hold;
+  double nearest = solvedWithin;
+  for (std::size_t c = 0; c < grounds.size(); ++c)
+  {
+    const Ground& ground = grounds[c];
+    const int number = static_cast<int>(c);
+    if (search.box(number).exteriorDistance(point) >= solvedWithin * ground.radius)
+    {
+      continue;
+    }
+    const NearestOnCurve on = search.nearest(number, point, solvedWithin * ground.radius);
+    if (on.segment < 0)
+    {
+      continue;
+    }
+    const FeatureCurve& curve = search.curves()[c];
+    const auto [from, t] = curve.at(on.parameter);
+    const int to = curve.segmentEnd(from);
+    const auto between = [share = t](double a, double b) { return a + share * (b - a); };
+    const Vector3 offset = point - on.point;
+    const double off =
+      ground.normals.empty()
+        ? 0.0
+        : besideness(offset,
+            (ground.normals[from] + t * (ground.normals[to] - ground.normals[from])).stableNormalized(),
+            ground.radius,
+            between(ground.thicknesses[from], ground.thicknesses[to]));
+    if (off > 1.0)
+    {
+      continue;
+    }
+    const double beside = fading(off, 0.5, 0.8);
+    hold.share = std::max(hold.share,
+      options.strength * beside * effectAt(point, search, number, ground.radius, options.usePressure));
+    if (on.distance < nearest * ground.radius)
+    {
+      nearest = on.distance / ground.radius;
+      hold.scale = between(ground.scales[from], ground.scales[to]);
+      hold.own = beside * fading(nearest, 1.0, 1.2);
+      hold.longest = 1.5 * on.distance + 0.5 * ground.radius;
+    }
+  }
+  return hold;
+}
+
+// The vertices of the part that must stay where they are.
+std::vector<char> heldVertices(const MeshPart& part, double featureAngle)
+{
+  std::vector<char> held = part.adjacency.borderVertex;
+  const double straight = std::cos(featureAngle * pi / 180.0);
+  for (int e = 0; e < static_cast<int>(part.adjacency.edges.size()); ++e)
+  {
+    const MeshEdge& edge = part.adjacency.edges[e];
+    const int* sides = part.adjacency.trianglesBegin(e);
+    const bool bends = featureAngle < 180.0 && edge.triangleCount == 2 &&
+                       facetNormal(part.mesh, sides[0]).dot(facetNormal(part.mesh, sides[1])) < straight;
+    if (bends || edge.triangleCount > 2)
+    {
+      held[edge.v0] = held[edge.v1] = 1;
+    }
+  }
+  return held;
+}
+
+// The chosen vertices that hang together with the seeds.
+std::vector<char> connected(const MeshPart& part, const std::vector<int>& seeds)
+{
+  std::vector<char> reached(part.vertices.size(), 0);
+  std::vector<int> front;
+  const auto take = [&](int v)
+  {
+    if (part.region[v] && !reached[v])
+    {
+      reached[v] = 1;
+      front.push_back(v);
+    }
+  };
+  std::for_each(seeds.begin(), seeds.end(), take);
+  for (std::size_t i = 0; i < front.size(); ++i)
+  {
+    const Lists::Range around = part.adjacency.vertexVertices[front[i]];
+    std::for_each(around.begin(), around.end(), take);
+  }
+  return reached;
+}
+
+// The part with its noise taken off along the surface's normals: on a crumpled surface weights say nothing of
+// the smooth one. Vertices keep their place along it, so that it is not the triangles that are made even.
+Mesh withoutNoise(const MeshPart& part)
+{
+  // To and fro, so that the surface does not shrink (G. Taubin, "A signal processing approach to fair surface
+  // design", 1995).
+  constexpr double to = 0.5, fro = -0.53;
+  constexpr int rounds = 20;
+  std::vector<int> inner;
+  for (int v = 0; v < part.mesh.vertexCount(); ++v)
+  {
+    if (!part.adjacency.borderVertex[v] && part.adjacency.vertexVertices.size(v) > 0)
+    {
+      inner.push_back(v);
+    }
+  }
+  Mesh plain = part.mesh;
+  for (int round = 0; round < rounds; ++round)
+  {
+    const std::vector<Vector3> before = plain.points;
+    for (const int v : inner)
+    {
+      Vector3 mean = Vector3::Zero();
+      for (const int n : part.adjacency.vertexVertices[v])
+      {
+        mean += before[n];
+      }
+      plain.points[v] +=
+        (round % 2 == 0 ? to : fro) * (mean / part.adjacency.vertexVertices.size(v) - before[v]);
+    }
+  }
+  const std::vector<Vector3> normals = vertexNormals(plain, part.adjacency.vertexTriangles, Context());
+  for (std::size_t v = 0; v < plain.points.size(); ++v)
+  {
+    const Vector3& place = part.mesh.points[v];
+    plain.points[v] = place + normals[v].dot(plain.points[v] - place) * normals[v];
+  }
+  return plain;
+}
+
+// The Laplacian's rows of the unknowns, times scale^2 / sqrt(area): over all vertices of the part, and over
+// the unknowns.
+struct Rows
+{
+  Eigen::SparseMatrix<double, Eigen::RowMajor> whole, unknown;
+};
+
+Rows rowsOf(const RelaxBand& band,
+  const Mesh& plain,
+  const std::vector<int>& number,
+  const std::vector<double>& areas)
+{
+  const MeshPart& part = band.part;
+  std::vector<double> weights(part.adjacency.edges.size());
+  for (std::size_t e = 0; e < weights.size(); ++e)
+  {
+    weights[e] = cotangentWeight(plain, part.adjacency, static_cast<int>(e));
+  }
+  using Entries = std::vector<Eigen::Triplet<double>>;
+  Entries whole, unknown;
+  const auto add = [&](int row, int v, double value)
+  {
+    whole.emplace_back(row, v, value);
+    if (number[v] >= 0)
+    {
+      unknown.emplace_back(row, number[v], value);
+    }
+  };
+  for (const int v : marked(band.part.region))
+  {
+    const double factor = band.scale[v] * band.scale[v] / std::sqrt(areas[v]);
+    double sum = 0.0;
+    for (const int n : part.adjacency.vertexVertices[v])
+    {
+      const double weight = factor * weights[part.adjacency.findEdge(v, n)];
+      add(number[v], n, -weight);
+      sum += weight;
+    }
+    add(number[v], v, sum);
+  }
+  const int unknowns = 1 + *std::max_element(number.begin(), number.end());
+  Rows rows{ { unknowns, part.mesh.vertexCount() }, { unknowns, unknowns } };
+  rows.whole.setFromTriplets(whole.begin(), whole.end());
+  rows.unknown.setFromTriplets(unknown.begin(), unknown.end());
+  return rows;
+}
+
+std::vector<double> areasOf(const Mesh& mesh)
+{
+  std::vector<double> areas(mesh.points.size(), 0.0);
+  double sum = 0.0;
+  for (int t = 0; t < mesh.triangleCount(); ++t)
+  {
+    const double third = facetArea(mesh, t) / 3.0;
+    sum += 3.0 * third;
+    for (const int v : mesh.triangles[t])
+    {
+      areas[v] += third;
+    }
+  }
+  const double least = 1e-6 * sum / static_cast<double>(areas.size());
+  for (double& area : areas)
+  {
+    area = std::max(area, least);
+  }
+  return areas;
+}
+
+// The places of the part's vertices by shares of the moves of those that were solved for, less where a
+// triangle would turn over against the surface without noise: in folds and clefts that are narrower than the
+// band.
+std::vector<Vector3> movedSoundly(const MeshPart& part,
+  const Mesh& plain,
+  const std::vector<int>& solved,
+  const Eigen::MatrixXd& moves,
+  std::vector<double> shares)
+{
+  constexpr int rounds = 10; // the last one leaves what still turns where it was
+  Mesh moved = part.mesh;
+  for (int round = 0; round <= rounds; ++round)
+  {
+    for (std::size_t i = 0; i < solved.size(); ++i)
+    {
+      const int v = solved[i];
+      moved.points[v] = part.mesh.points[v] + shares[v] * moves.row(static_cast<Eigen::Index>(i)).transpose();
+    }
+    std::vector<char> isFolded(part.vertices.size(), 0);
+    for (int t = 0; t < moved.triangleCount(); ++t)
+    {
+      const Vector3 before = facetNormal(plain, t);
+      if (facetNormal(moved, t).dot(before) < 0.0 && facetNormal(part.mesh, t).dot(before) > 0.0)
+      {
+        for (const int v : moved.triangles[t])
+        {
+          isFolded[v] = 1;
+        }
+      }
+    }
+    const std::vector<int> folded = marked(isFolded);
+    if (folded.empty() || round == rounds)
+    {
+      break;
+    }
+    for (const int v : folded)
+    {
+      for (const int n : part.adjacency.vertexVertices[v])
+      {
+        isFolded[n] = 1;
+      }
+    }
+    for (const int v : marked(isFolded))
+    {
+      shares[v] *= round + 1 == rounds ? 0.0 : 0.5;
+    }
+  }
+  return moved.points;
+}
+
+} // namespace
+
+RelaxBand relaxBand(const Mesh& mesh,
+  const FeatureCurves& curves,
+  const RelaxOptions& options,
+  const Context& context)
+{
+  checkCurves(curves);
+  checkRadius(curves, options.radius);
+  const CurveSearch search(curves);
+  std::vector<Ground> grounds;
+  double widest = 0.0;
+  std::vector<char> isSeed(mesh.points.size(), 0);
+  for (const FeatureCurve& curve : curves)
+  {
+    if (curve.cells.empty())
+    {
+      throw Error(
+        Failure::BadStroke, "A curve does not say which triangles it lies in; draw the stroke again.");
+    }
+    grounds.push_back(groundOf(curve, options));
+    widest = std::max(widest, grounds.back().radius);
+    for (const int cell : curve.cells)
+    {
+      for (const int v : mesh.triangles[cell])
+      {
+        isSeed[v] = 1;
+      }
+    }
+  }
+  std::vector<Hold> holds(mesh.points.size());
+  std::vector<char> near(mesh.points.size());
+  context.each(mesh.vertexCount(),
+    [&](int v)
+    {
+      holds[v] = holdAt(mesh.points[v], search, grounds, options);
+      near[v] = holds[v].scale > 0.0;
+    });
+  context.checkpoint(0.1);
+  RelaxBand band{ MeshPart(mesh, near, context), {}, {}, {} };
+  MeshPart& part = band.part;
+  for (const int v : part.vertices)
+  {
+    band.share.push_back(holds[v].share);
+    band.scale.push_back(holds[v].scale);
+  }
+  std::vector<int> seeds;
+  for (int v = 0; v < part.mesh.vertexCount(); ++v)
+  {
+    if (isSeed[part.vertices[v]])
+    {
+      seeds.push_back(v);
+    }
+  }
+  const std::vector<double> ways =
+    edgeDistances(part.mesh, part.adjacency, seeds, (1.5 * solvedWithin + 0.5) * widest);
+  for (std::size_t v = 0; v < part.region.size(); ++v)
+  {
+    const Hold& hold = holds[part.vertices[v]];
+    part.region[v] = part.region[v] && ways[v] <= hold.longest;
+    const double straight = part.region[v] ? fading(ways[v] / hold.longest, 0.8, 1.0) : 0.0;
+    band.share[v] *= straight;
+    band.weight.push_back(weightBeyond + (1.0 - weightBeyond) * straight * hold.own);
+  }
+  part.region = connected(part, seeds);
+  // A spike that stands out too far is held by nothing but the band.
+  const std::vector<char> reached = part.region;
+  for (int v = 0; v < part.mesh.vertexCount(); ++v)
+  {
+    const Lists::Range around = part.adjacency.vertexVertices[v];
+    if (!reached[v] && around.begin() != around.end() &&
+        std::all_of(around.begin(), around.end(), [&](int n) { return reached[n]; }))
+    {
+      part.region[v] = 1;
+      for (const int n : around)
+      {
+        band.share[v] = std::max(band.share[v], band.share[n]);
+        band.scale[v] = std::max(band.scale[v], band.scale[n]);
+        band.weight[v] = std::min(band.weight[v], band.weight[n]);
+      }
+    }
+  }
+  const std::vector<char> held = heldVertices(part, options.featureAngle);
+  for (std::size_t v = 0; v < held.size(); ++v)
+  {
+    part.region[v] = part.region[v] && !held[v];
+    band.share[v] = part.region[v] ? band.share[v] : 0.0;
+  }
+  return band;
+}
+
+std::vector<Vector3> relaxed(const RelaxBand& band, const Context& context)
+{
+  const MeshPart& part = band.part;
+  const std::vector<int> solved = marked(part.region);
+  if (solved.empty())
+  {
+    return part.mesh.points;
+  }
+  std::vector<int> number(part.region.size(), -1);
+  for (std::size_t i = 0; i < solved.size(); ++i)
+  {
+    number[solved[i]] = static_cast<int>(i);
+  }
+  const Mesh plain = withoutNoise(part);
+  const std::vector<double> areas = areasOf(plain);
+  const Rows rows = rowsOf(band, plain, number, areas);
+  context.checkpoint(0.3);
+  // By the moves u = x - p: (W A + R^T R) u = -R^T R p.
+  Eigen::SparseMatrix<double> normal = rows.unknown.transpose() * rows.unknown;
+  Eigen::VectorXd diagonal(static_cast<Eigen::Index>(solved.size()));
+  for (std::size_t i = 0; i < solved.size(); ++i)
+  {
+    diagonal[static_cast<Eigen::Index>(i)] = band.weight[solved[i]] * areas[solved[i]];
+  }
+  normal += Eigen::SparseMatrix<double>(diagonal.asDiagonal());
+  normal.makeCompressed();
+  BlockMatrix matrix;
+  matrix.pattern.offsets.assign(normal.outerIndexPtr(), normal.outerIndexPtr() + normal.outerSize() + 1);
+  matrix.pattern.values.assign(normal.innerIndexPtr(), normal.innerIndexPtr() + normal.nonZeros());
+  matrix.values.assign(normal.valuePtr(), normal.valuePtr() + normal.nonZeros());
+  context.checkpoint(0.5);
+  // From the middle of the part, so that far from the origin no digits are lost.
+  const Vector3 middle = boxRound(part.mesh.points).center();
+  Eigen::MatrixXd before(part.mesh.vertexCount(), 3);
+  for (int v = 0; v < part.mesh.vertexCount(); ++v)
+  {
+    before.row(v) = (part.mesh.points[v] - middle).transpose();
+  }
+  Eigen::MatrixXd moves = -(rows.unknown.transpose() * (rows.whole * before));
+  Cholesky factor(
+    std::make_shared<const Elimination>(matrix.pattern, valuesAt(part.mesh.points, solved), context));
+  if (!factor.factorise(matrix, context))
+  {
+    throw Error(Failure::SolveFailed,
+      "The system of the band could not be factored; repair degenerate triangles there or remesh it.");
+  }
+  context.checkpoint(0.9);
+  factor.solve(moves, context);
+  if (!moves.allFinite())
+  {
+    throw Error(Failure::SolveFailed,
+      "The system of the band has no finite solution; repair degenerate triangles there or remesh it.");
+  }
+  return movedSoundly(part, plain, solved, moves, band.share);
+}
+
+} // namespace oversketch
