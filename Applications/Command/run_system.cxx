@@ -288,15 +288,15 @@ Session sessionOf(const Options& options, Notes& notes)
   return session;
 }
 
-// A proxy cannot hand on triangles that a step makes.
+// A proxy cannot hand on triangles that a step makes, nor bumps that it does not have.
 void refuseLarge(const Options& options, const Session& session)
 {
   if (isLarge(session.mesh, options.proxyAbove) && !isMoved(session))
   {
     const std::string count = std::to_string(session.mesh->GetNumberOfPolys());
     throw Failed("the mesh has " + count + " triangles, too many for " + options.system->verb +
-                 ", which makes new ones; give a coarser mesh, or --proxy-above " + count +
-                 " where memory is enough");
+                 ", which no coarse one in its place is enough for; give a coarser mesh, or --proxy-above " +
+                 count + " where memory is enough");
   }
 }
 

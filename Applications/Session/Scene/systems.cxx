@@ -482,7 +482,6 @@ SystemRow relax()
         "points at edges that bend by more degrees stay, 180 for none")),
   };
   row.mirroring = Mirroring::Strokes;
-  row.moves = true;
   return row;
 }
 #endif

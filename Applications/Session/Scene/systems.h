@@ -115,7 +115,7 @@ struct SystemRow
   std::string textureInput, backTextureInput;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
-  // Steps move a mesh above all, so that a proxy will do for a large one (large_mesh.h).
+  // Steps move parts of a mesh above all, so that a proxy will do for a large one (large_mesh.h).
   bool moves = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;

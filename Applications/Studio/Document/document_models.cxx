@@ -163,11 +163,11 @@ QString Document::whyNoSteps(const std::string& system) const
   const SystemRow* row = findSystem(system);
   return scene.locked   ? tr("%1 is locked and takes no strokes. Unlock it in the list Scene.").arg(name)
          : !scene.shown ? tr("%1 is hidden and takes no strokes. Tick it in the list Scene.").arg(name)
-         : scene.whole && row && !row->moves
-           ? tr("%1 is shown by fewer triangles than it has, and this would add some to those alone. Open a "
-                "coarser copy of it.")
-               .arg(name)
-           : QString();
+         : scene.whole && row && !row->moves ? tr("%1 is shown by fewer triangles than it has, and this "
+                                                  "would change those alone. Open a coarser "
+                                                  "copy of it.")
+                                                 .arg(name)
+                                             : QString();
 }
 
 bool Document::takes(const Session& next)

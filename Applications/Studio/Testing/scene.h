@@ -47,6 +47,20 @@ inline int differing(const QImage& a, const QImage& b)
   return found;
 }
 
+// Pixels that are such.
+inline int count(const QImage& image, const std::function<bool(const QColor&)>& isSuch)
+{
+  int found = 0;
+  for (int y = 0; y < image.height(); ++y)
+  {
+    for (int x = 0; x < image.width(); ++x)
+    {
+      found += isSuch(image.pixelColor(x, y));
+    }
+  }
+  return found;
+}
+
 // Sizes of the window. The processor draws the small one in less time. A hand that goes by pixels takes the
 // whole one, in which the program opens.
 const QSize smallWindow(1000, 700), wholeWindow(1200, 800);

@@ -18,19 +18,6 @@ bool isRed(const QColor& c)
   return c.red() > 160 && c.green() < 90 && c.blue() < 90;
 }
 
-int count(const QImage& image, bool (*is)(const QColor&))
-{
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y)
-  {
-    for (int x = 0; x < image.width(); ++x)
-    {
-      found += is(image.pixelColor(x, y));
-    }
-  }
-  return found;
-}
-
 } // namespace
 
 TEST(PenSection, IsSeenUnderAPenThatStandsAndIsWhatTheStrokeTakesHoldOf)

@@ -106,19 +106,6 @@ int different(const QImage& a, const QImage& b)
   return found;
 }
 
-int count(const QImage& image, const std::function<bool(const QColor&)>& isSuch)
-{
-  int found = 0;
-  for (int y = 0; y < image.height(); ++y)
-  {
-    for (int x = 0; x < image.width(); ++x)
-    {
-      found += isSuch(image.pixelColor(x, y));
-    }
-  }
-  return found;
-}
-
 bool isOrange(const QColor& c)
 {
   return c.red() > 150 && c.red() > 1.3 * c.green() && c.green() > 1.6 * c.blue();

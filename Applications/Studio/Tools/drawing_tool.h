@@ -56,6 +56,7 @@ public:
   void stop() override;
   bool draws() const override;
   bool moves() const override { return this->Handles.isHeld(); }
+  bool takesShift(double, double) override { return true; } // a part's corners
   void setSteadiness(double pixels) override;
   void setDark(bool dark) override;
   void setPixelRatio(double ratio) override { this->Handles.setPixelRatio(ratio); }

@@ -38,7 +38,7 @@ QVector<QPair<QString, QString>> EditTool::keys() const
   return QVector<QPair<QString, QString>>{ { tr("Left drag"), tr("draw a line, then a ring round it") } } +
          this->ways() +
          QVector<QPair<QString, QString>>{
-           { tr("Shift + left drag"), tr("over line or ring: redraw a part of it; else: pan") },
+           { tr("Shift + left drag"), tr("over line or ring: redraw a part of it") },
          };
 }
 

@@ -34,6 +34,7 @@ public:
   void stop() override { this->Hand->putDown(); }
   bool draws() const override { return this->Hand->draws(); }
   bool moves() const override { return this->Hand->moves(); }
+  bool takesShift(double, double) override { return this->Hand->hasLine(); } // it redraws line and ring
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point&) override

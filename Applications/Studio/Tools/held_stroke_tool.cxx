@@ -113,7 +113,7 @@ vtkOversketchStrokeWidget* HeldStrokeTool::pen() const
 QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
 {
   return { { tr("Left drag"), tr("draw; on the red line: move it") },
-    { tr("Shift + left drag"), tr("on the red line: redraw a part; else: pan") } };
+    { tr("Shift + left drag"), tr("on the red line: redraw a part") } };
 }
 
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)

@@ -120,6 +120,8 @@ public:
   virtual void framePainted() {}
   // Whether its line is seen there [px of the screen from the lower left corner], and can be taken hold of.
   virtual bool holds(double, double) { return false; }
+  // Whether a press there with Shift is its own: else it smooths the model.
+  virtual bool takesShift(double x, double y) { return this->holds(x, y); }
   // Its lines, for a picture without them.
   virtual void showLines(bool) {}
 

@@ -13,6 +13,9 @@
 #include "shade_tool.h"
 #endif
 #include "one_stroke_tool.h"
+#ifdef OVERSKETCH_WITH_RELAX
+#include "relax_tool.h"
+#endif
 #include "system_strings.h"
 #include "turn_tool.h"
 
@@ -54,6 +57,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #ifdef OVERSKETCH_WITH_AUGMENT
     new AugmentTool(viewport, document),
 #endif
+#ifdef OVERSKETCH_WITH_RELAX
+    new RelaxTool(viewport, document),
+#endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     new DrawingTool(viewport, document),
 #endif
@@ -69,6 +75,7 @@ QString keyList(const Tool& tool, const QVector<Tool*>& all)
     { T::tr("Pen pressure"), tool.pressure() },
     { T::tr("Middle drag"), T::tr("turn (or Alt, Ctrl or Space + left drag, or two fingers)") },
     { T::tr("Right drag"), T::tr("pan (or Alt or Shift + middle drag)") },
+    { T::tr("Shift + left drag"), T::tr("on the model: smooth it; beside it: pan") },
     { T::tr("Wheel"), T::tr("zoom at the cursor (or pinch, or Ctrl + Shift + left drag)") },
     { T::tr("Click"), T::tr("on another model of the scene: draw on that one") },
     { T::tr("Escape"), T::tr("drop the line being drawn; take a drag back; leave the row") },

@@ -12,6 +12,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace oversketch_studio
 {
@@ -104,19 +105,68 @@ bool HandGestures::holds(QEvent* event)
         return false;
       }
       this->Turns = press;
-      QMouseEvent middle(event->type(),
-        mouse->localPos(),
-        mouse->windowPos(),
-        mouse->screenPos(),
-        Qt::MiddleButton,
-        press ? Qt::MiddleButton : Qt::NoButton,
-        mouse->modifiers());
-      QApplication::sendEvent(this->View, &middle);
+      this->send(*mouse, Qt::MiddleButton, mouse->modifiers());
       return true;
     }
     default:
       return false;
   }
+}
+
+// As if another button had been pressed or let go, or with other keys.
+void HandGestures::send(const QMouseEvent& like, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+{
+  QMouseEvent event(like.type(),
+    like.localPos(),
+    like.windowPos(),
+    like.screenPos(),
+    button,
+    like.type() == QEvent::MouseButtonRelease ? Qt::NoButton : button,
+    modifiers);
+  QApplication::sendEvent(this->View, &event);
+}
+
+Tool* HandGestures::smoother() const
+{
+  return this->View->findChild<Tool*>("relax");
+}
+
+bool HandGestures::begins(const QMouseEvent& press)
+{
+  Tool* tool = this->View->tool();
+  if (press.button() != Qt::LeftButton || press.modifiers() != Qt::ShiftModifier || !tool || tool->isBusy() ||
+      !this->smoother() || tool == this->smoother())
+  {
+    return false;
+  }
+  const double ratio = this->View->devicePixelRatioF();
+  const double x = ratio * press.localPos().x(),
+               y = ratio * (this->View->height() - press.localPos().y()) - 1.0;
+  return !tool->takesShift(x, y) && this->Picker.pick(int(x), int(y), this->View->renderer());
+}
+
+bool HandGestures::smooths(QEvent* event)
+{
+  if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease)
+  {
+    return false;
+  }
+  const auto* mouse = static_cast<QMouseEvent*>(event);
+  if (event->type() == QEvent::MouseButtonPress && !this->Rests && this->begins(*mouse))
+  {
+    this->Rests = this->View->tool();
+    this->View->setTool(this->smoother());
+    this->send(*mouse, Qt::LeftButton, Qt::NoModifier);
+    return true;
+  }
+  if (event->type() == QEvent::MouseButtonRelease && mouse->button() == Qt::LeftButton && this->Rests)
+  {
+    Tool* before = std::exchange(this->Rests, nullptr); // what is sent is not asked again
+    this->send(*mouse, Qt::LeftButton, Qt::NoModifier);
+    this->View->setTool(before);
+    return true;
+  }
+  return false;
 }
 
 } // namespace oversketch_studio

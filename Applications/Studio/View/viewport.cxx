@@ -229,7 +229,7 @@ bool Viewport::event(QEvent* event)
 {
   // VTK hears of the mouse before the functions for its events do.
   const auto type = event->type();
-  if (this->Gestures.holds(event))
+  if (this->Gestures.holds(event) || this->Gestures.smooths(event))
   {
     return true;
   }

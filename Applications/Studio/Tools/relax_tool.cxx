@@ -1,0 +1,182 @@
+#include "relax_tool.h"
+
+#include "document.h"
+#include "viewport.h"
+
+#include "vtkPolyData.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <cmath>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr double ownRadiusOfSize = 0.03; // the system's
+constexpr double leastOfSize = 1e-3;
+constexpr double wider = 1.1;       // with a notch
+constexpr ulong restOfWheel = 1000; // ms; a hand that rests so long begins anew
+
+} // namespace
+
+RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
+  : HeldStrokeTool("Relax", viewport, document)
+  , Bar(new QWidget(viewport))
+  , Radius(new QDoubleSpinBox(this->Bar))
+{
+  this->setObjectName("relax");
+  this->Bar->hide(); // until the window has a place for it
+  this->Radius->setObjectName("relax_radius");
+  this->Radius->setAccessibleName(tr("Radius"));
+  this->Radius->setToolTip(
+    tr("How far from the line it is smoothed, in lengths of the model (Ctrl + wheel)"));
+  this->Radius->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  this->Radius->setKeyboardTracking(false);
+  auto* label = new QLabel(tr("Radius"), this->Bar);
+  label->setBuddy(this->Radius);
+  auto* row = new QHBoxLayout(this->Bar);
+  row->setContentsMargins(6, 0, 0, 0);
+  row->addWidget(label);
+  row->addWidget(this->Radius);
+  connect(this->Radius,
+    QOverload<double>::of(&QDoubleSpinBox::valueChanged),
+    this,
+    [this](double radius) { this->setRadius(radius, false); });
+  connect(document, &Document::opened, this, [this, document] { this->begin(document->session().mesh); });
+  connect(document,
+    &Document::shown,
+    this,
+    [this, document]
+    {
+      if (this->Size == 0.0) // a first step made it
+      {
+        this->begin(document->result().mesh);
+      }
+    });
+  this->begin(nullptr);
+}
+
+// A bumpy line, and a smooth one under it.
+QPainterPath RelaxTool::icon() const
+{
+  QPainterPath path;
+  path.moveTo(1.5, 9);
+  path.cubicTo(3, 4, 5, 4, 6.5, 9);
+  path.cubicTo(8, 13, 9.5, 13, 11, 8);
+  path.cubicTo(12.5, 3, 14.5, 3, 16, 8);
+  path.cubicTo(17.5, 12, 20, 12, 22.5, 7);
+  path.moveTo(1.5, 19);
+  path.cubicTo(8, 16, 15, 16, 22.5, 19);
+  return path;
+}
+
+QVector<QPair<QString, QString>> RelaxTool::keys() const
+{
+  return HeldStrokeTool::keys() + QVector<QPair<QString, QString>>{
+    { tr("Ctrl + wheel"), tr("wider, narrower") },
+  };
+}
+
+QString RelaxTool::advice(const Situation& situation) const
+{
+  if (situation.redraws)
+  {
+    return tr("Redraw the selected line. T leaves it as it is.");
+  }
+  if (situation.selected)
+  {
+    return tr("Blue is where the selected line lies. Ctrl + wheel changes its width, the form its strength.");
+  }
+  return tr(
+    "Draw over what is rough: it is smooth there. Ctrl + wheel is wider or narrower. The middle button "
+    "turns the model, F1 lists the keys.");
+}
+
+QWidget* RelaxTool::makeOptions(QWidget* parent)
+{
+  this->Bar->setParent(parent);
+  this->Bar->show();
+  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Bar))
+  {
+    this->Bar->layout()->addWidget(mirror);
+  }
+  return this->Bar;
+}
+
+Values RelaxTool::options() const
+{
+  Values options = HeldStrokeTool::options();
+  options["Radius"] = this->Radius->value() / (this->Size > 0.0 ? this->Size : 1.0);
+  return options;
+}
+
+void RelaxTool::setOptions(const Values& options)
+{
+  HeldStrokeTool::setOptions(options);
+  const double share = std::get<double>(options.at("Radius"));
+  this->setRadius(share * (this->Size > 0.0 ? this->Size : 1.0), false);
+}
+
+void RelaxTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
+{
+  HeldStrokeTool::offer(step, state, place);
+  this->IsOffered = true;
+  this->Offered = step.values;
+}
+
+void RelaxTool::offerNothing()
+{
+  HeldStrokeTool::offerNothing();
+  this->IsOffered = false;
+}
+
+void RelaxTool::begin(vtkPolyData* mesh)
+{
+  this->Size = mesh ? mesh->GetLength() : 0.0;
+  const double size = this->Size > 0.0 ? this->Size : 1.0;
+  const QSignalBlocker quiet(this->Radius);
+  this->Radius->setDecimals(
+    std::clamp(2 - static_cast<int>(std::floor(std::log10(leastOfSize * size))), 1, 13) - 1);
+  this->Radius->setRange(leastOfSize * size, size);
+  this->Radius->setValue(ownRadiusOfSize * size);
+  this->setValues({ { "Radius", this->Radius->value() } });
+}
+
+void RelaxTool::setRadius(double radius, bool mergesIntoLast)
+{
+  {
+    const QSignalBlocker quiet(this->Radius);
+    this->Radius->setValue(radius);
+  }
+  const Values values{ { "Radius", this->Radius->value() } };
+  this->setValues(values);
+  // While the pen draws it is the new line's alone.
+  if (this->IsOffered && !this->draws())
+  {
+    this->Offered["Radius"] = this->Radius->value();
+    emit this->shaped(this->Offered, mergesIntoLast);
+  }
+}
+
+bool RelaxTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time)
+{
+  if (modifiers != Qt::ControlModifier)
+  {
+    return false;
+  }
+  const bool goesOn = time >= this->WheelTime && time - this->WheelTime < restOfWheel;
+  this->WheelTime = time;
+  this->setRadius(this->Radius->value() * std::pow(wider, notches), goesOn);
+  return true;
+}
+
+} // namespace oversketch_studio
