@@ -50,28 +50,37 @@ FeatureCurves curvesWithCells(vtkPolyData* curves, vtkIdType triangles)
 
 struct vtkOversketchRelax::Inner
 {
-  // Copies that change only where what the step reads has changed.
+  // What the step reads, changed only where that has: the mesh's triangles with its repeated points welded.
   vtkNew<vtkPolyData> Mesh, Strokes;
+  std::unique_ptr<Weld> Welding;
   vtkNew<vtkOversketchSurfaceStroke> Curves;
   KeptOutput Kept;
 
-  void Feed(vtkPolyData* from, vtkPolyData* into, MeshKey& seen)
+  void FeedMesh(vtkPolyData* mesh)
   {
-    const MeshKey key = WholeKey(from);
-    if (key != seen)
+    RequirePolygonsOnly(mesh); // the key does not see other cells
+    if (this->Welding && this->MeshSeen == MeshKey(mesh))
     {
-      into->ShallowCopy(from);
-      seen = key;
+      return;
     }
+    vtkNew<vtkPolyData> bare; // of attributes, which would have to be told apart at seams
+    bare->SetPoints(mesh->GetPoints());
+    bare->SetPolys(mesh->GetPolys());
+    this->Welding = std::make_unique<Weld>(bare);
+    this->MeshSeen = MeshKey(mesh);
+    this->Mesh->ShallowCopy(this->Welding->Welded());
   }
-  void FeedMesh(vtkPolyData* mesh) { this->Feed(mesh, this->Mesh, this->MeshSeen); }
   void FeedStrokes(vtkPolyData* strokes)
   {
     if (strokes->GetNumberOfPoints() == 0 || strokes->GetNumberOfCells() == 0)
     {
       throw Error(Failure::BadStroke, "There is no stroke; draw one over the mesh.");
     }
-    this->Feed(strokes, this->Strokes, this->StrokesSeen);
+    if (this->StrokesSeen != WholeKey(strokes))
+    {
+      this->Strokes->ShallowCopy(strokes);
+      this->StrokesSeen = WholeKey(strokes);
+    }
   }
 
   // Parts of the last output, as shallow copies.
@@ -134,8 +143,8 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
         {
           ++this->RelaxCount;
           const Context context = ContextOf(this, this->GetDone(), 1.0);
-          const Weld welding(mesh);
-          const Mesh& surface = SharedMesh(welding.Welded())->Surface();
+          const std::shared_ptr<const MeshData> data = SharedMesh(inner.Mesh);
+          const Mesh& surface = data->Surface();
           const RelaxBand band =
             relaxBand(surface, curvesWithCells(curves, surface.triangleCount()), options, context);
           const auto moves = [](double share) { return share > 0.0; };
@@ -149,7 +158,7 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
           const std::vector<Vector3> places = relaxed(band, context);
           vtkNew<vtkPoints> points;
           points->SetDataTypeToDouble();
-          points->DeepCopy(welding.Welded()->GetPoints());
+          points->DeepCopy(inner.Mesh->GetPoints());
           for (std::size_t i = 0; i < places.size(); ++i)
           {
             if (moves(band.share[i]))
@@ -159,7 +168,7 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
           }
           vtkNew<vtkPolyData> moved;
           moved->SetPoints(points);
-          welding.Move(mesh, moved, result);
+          inner.Welding->Move(mesh, moved, result);
         });
       inner.Made = std::make_unique<Inner::Result>();
       inner.Made->Output->ShallowCopy(output);

@@ -3,11 +3,12 @@
  * @brief strokes over a mesh relax it there: what is small goes, the shape stays
  *
  * Source: ours; none of the papers has it. A stroke is projected on the surface {Curves}. In a band on both
- * sides of it a thin plate is laid that clings to the surface (M. Botsch, L. Kobbelt, "An intuitive framework
- * for real-time freeform modeling", 2004; implicit as in M. Desbrun et al., "Implicit fairing of irregular
- * meshes", 1999): waves shorter than the band's width are gone in one pass, whatever the triangles, a bend
- * that is longer stays, and with it the volume. The rim is held with its tangents. Of a limb that is thinner
- * than the band waves below its girth alone go, so that it keeps that.
+ * sides of it a thin plate is laid that goes on as the surface beyond does and clings to what is within (M.
+ * Botsch, L. Kobbelt, "An intuitive framework for real-time freeform modeling", 2004; implicit as in M.
+ * Desbrun et al., "Implicit fairing of irregular meshes", 1999): what is smaller than the band is gone in one
+ * pass, whatever the triangles, a bend that is longer stays, and with it the volume. Of a limb that is
+ * thinner than the band smaller waves alone go, so that it keeps its girth; where a triangle would turn over,
+ * in folds narrower than the band, points move less.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; borders, non-manifold edges and any orientation are tolerated.
  * Points that a reader split for texture coordinates or normals are welded for computing (exactly equal
@@ -50,7 +51,8 @@ public:
 
   ///@{
   /**
-   * Half the width of the band [model length; default -1: below 0 stands for 3 % of the mesh's diagonal].
+   * How far to each side of a stroke the surface is relaxed; from there to 5/4 of it the effect fades [model
+   * length; default -1: below 0 stands for 3 % of the mesh's diagonal].
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);

@@ -19,10 +19,13 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// In radii: how far a curve has its whole effect, which then fades, and how far the surface is relaxed to
-// know what the rim goes on as. Beyond the radius each point counts for many, so that the shape there is held
-// and its noise comes to nothing in the mean.
-constexpr double wholeWithin = 0.8, solvedWithin = 2.0, weightBeyond = 100.0;
+// A curve has its whole effect within its radius, and fades to nothing at its reach. Numbers from here on are
+// in terms of that.
+constexpr double reach = 1.25, wholeWithin = 1.0 / reach;
+// The surface is relaxed further out, to know what the rim goes on as. There each point counts for many: the
+// shape is held, and its noise comes to nothing in the mean. Within, a point counts for little, since what
+// rises there is to go.
+constexpr double solvedWithin = 2.0, weightBeyond = 300.0, weightWithin = 0.2;
 
 // What a curve says of the surface at its points.
 struct Ground
@@ -75,10 +78,10 @@ std::vector<double> leastNear(const FeatureCurve& curve, const std::vector<doubl
 
 Ground groundOf(const FeatureCurve& curve, const RelaxOptions& options)
 {
-  Ground ground{ curve.radius.value_or(options.radius), {}, {}, {} };
+  Ground ground{ reach * curve.radius.value_or(options.radius), {}, {}, {} };
   // Of a limb that is thinner than the band the surface may not be drawn in from all sides: it keeps the
   // waves that go round it.
-  constexpr double shareOfThickness = 0.2;
+  constexpr double shareOfThickness = 0.15;
   std::vector<double> thicknesses(curve.points.size(), ground.radius / shareOfThickness);
   for (std::size_t i = 0; i < curve.room.size(); ++i)
   {
@@ -462,7 +465,7 @@ RelaxBand relaxBand(const Mesh& mesh,
     part.region[v] = part.region[v] && ways[v] <= hold.longest;
     const double straight = part.region[v] ? fading(ways[v] / hold.longest, 0.8, 1.0) : 0.0;
     band.share[v] *= straight;
-    band.weight.push_back(weightBeyond + (1.0 - weightBeyond) * straight * hold.own);
+    band.weight.push_back(weightBeyond + (weightWithin - weightBeyond) * straight * hold.own);
   }
   part.region = connected(part, seeds);
   // A spike that stands out too far is held by nothing but the band.

@@ -21,7 +21,8 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr double ownRadiusOfSize = 0.03; // the system's
+// Half as wide again as lines are, so that one goes though it is missed a little.
+constexpr double ownRadiusOfSize = 0.045;
 constexpr double leastOfSize = 1e-3;
 constexpr double wider = 1.1;       // with a notch
 constexpr ulong restOfWheel = 1000; // ms; a hand that rests so long begins anew
