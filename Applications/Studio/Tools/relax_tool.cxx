@@ -21,6 +21,7 @@ using namespace oversketch_session;
 namespace
 {
 
+constexpr const char* radiusName = "Radius";
 // Half as wide again as lines are, so that one goes though it is missed a little.
 constexpr double ownRadiusOfSize = 0.045;
 constexpr double leastOfSize = 1e-3;
@@ -116,14 +117,14 @@ QWidget* RelaxTool::makeOptions(QWidget* parent)
 Values RelaxTool::options() const
 {
   Values options = HeldStrokeTool::options();
-  options["Radius"] = this->Radius->value() / (this->Size > 0.0 ? this->Size : 1.0);
+  options[radiusName] = this->Radius->value() / (this->Size > 0.0 ? this->Size : 1.0);
   return options;
 }
 
 void RelaxTool::setOptions(const Values& options)
 {
   HeldStrokeTool::setOptions(options);
-  const double share = std::get<double>(options.at("Radius"));
+  const double share = std::get<double>(options.at(radiusName));
   this->setRadius(share * (this->Size > 0.0 ? this->Size : 1.0), false);
 }
 
@@ -149,7 +150,7 @@ void RelaxTool::begin(vtkPolyData* mesh)
     std::clamp(2 - static_cast<int>(std::floor(std::log10(leastOfSize * size))), 1, 13) - 1);
   this->Radius->setRange(leastOfSize * size, size);
   this->Radius->setValue(ownRadiusOfSize * size);
-  this->setValues({ { "Radius", this->Radius->value() } });
+  this->setValues({ { radiusName, this->Radius->value() } });
 }
 
 void RelaxTool::setRadius(double radius, bool mergesIntoLast)
@@ -158,12 +159,12 @@ void RelaxTool::setRadius(double radius, bool mergesIntoLast)
     const QSignalBlocker quiet(this->Radius);
     this->Radius->setValue(radius);
   }
-  const Values values{ { "Radius", this->Radius->value() } };
+  const Values values{ { radiusName, this->Radius->value() } };
   this->setValues(values);
   // While the pen draws it is the new line's alone.
   if (this->IsOffered && !this->draws())
   {
-    this->Offered["Radius"] = this->Radius->value();
+    this->Offered[radiusName] = this->Radius->value();
     emit this->shaped(this->Offered, mergesIntoLast);
   }
 }

@@ -17,10 +17,10 @@ public:
   RelaxTool(Viewport* viewport, const Document* document);
 
   QString title() const override { return tr("Smoot&h"); }
-  QKeySequence key() const override { return tr("V"); }
+  QKeySequence key() const override { return tr("Q"); }
   QString help() const override
   {
-    return tr("Draw over the model, and it is smooth there (V, or Shift + drag with any tool). The middle "
+    return tr("Draw over the model, and it is smooth there (Q, or Shift + drag with any tool). The middle "
               "button always turns.");
   }
   QPainterPath icon() const override;
