@@ -3,6 +3,7 @@
 #include "Relax/relax.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchStellarCurves.h"
+#include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
 #include "vtkOversketchWeld.h"
 
@@ -53,6 +54,7 @@ struct vtkOversketchRelax::Inner
   // What the step reads, changed only where that has: the mesh's triangles with its repeated points welded.
   vtkNew<vtkPolyData> Mesh, Strokes;
   std::unique_ptr<Weld> Welding;
+  vtkNew<vtkOversketchStrokeThinning> Thinning;
   vtkNew<vtkOversketchSurfaceStroke> Curves;
   KeptOutput Kept;
 
@@ -102,8 +104,10 @@ vtkOversketchRelax::vtkOversketchRelax()
   : Internals(new Inner)
 {
   this->SetNumberOfInputPorts(2);
-  this->Internals->Curves->SetInputData(0, this->Internals->Strokes);
+  this->Internals->Thinning->SetInputData(0, this->Internals->Strokes);
+  this->Internals->Curves->SetInputConnection(0, this->Internals->Thinning->GetOutputPort());
   this->Internals->Curves->SetMeshData(this->Internals->Mesh);
+  this->AddStage("Thinning", this->Internals->Thinning, 0.01);
   this->AddStage("Curves", this->Internals->Curves, 0.4);
 }
 
@@ -127,6 +131,7 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
       RequireFinite(this->Radius, "Radius");
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
       inner.FeedMesh(mesh);
+      this->RunStage("Thinning");
       this->RunStage("Curves");
       vtkPolyData* curves = this->StageOutput("Curves");
       const double size = mesh->GetLength();
@@ -218,6 +223,7 @@ bool vtkOversketchRelax::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPoly
         return false;
       }
       this->Internals->FeedStrokes(stroke);
+      this->RunStage("Thinning");
       this->RunStage("Curves");
       hold->ShallowCopy(this->StageOutput("Curves"));
       return hold->GetNumberOfPoints() > 0;

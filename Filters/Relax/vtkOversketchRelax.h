@@ -2,13 +2,13 @@
  * @class vtkOversketchRelax
  * @brief strokes over a mesh relax it there: what is small goes, the shape stays
  *
- * Source: ours; none of the papers has it. A stroke is projected on the surface {Curves}. In a band on both
- * sides of it a thin plate is laid that goes on as the surface beyond does and clings to what is within (M.
- * Botsch, L. Kobbelt, "An intuitive framework for real-time freeform modeling", 2004; implicit as in M.
- * Desbrun et al., "Implicit fairing of irregular meshes", 1999): what is smaller than the band is gone in one
- * pass, whatever the triangles, a bend that is longer stays, and with it the volume. Of a limb that is
- * thinner than the band smaller waves alone go, so that it keeps its girth; where a triangle would turn over,
- * in folds narrower than the band, points move less.
+ * Source: ours; none of the papers has it. A stroke loses jitter {Thinning} and is projected on the surface
+ * {Curves}. In a band on both sides of it a thin plate is laid that goes on as the surface beyond does and
+ * clings to what is within (M. Botsch, L. Kobbelt, "An intuitive framework for real-time freeform modeling",
+ * 2004; implicit as in M. Desbrun et al., "Implicit fairing of irregular meshes", 1999): what is smaller than
+ * the band is gone in one pass, whatever the triangles, a bend that is longer stays, and with it the volume.
+ * Of a limb that is thinner than the band smaller waves alone go, so that it keeps its girth; where a
+ * triangle would turn over, in folds narrower than the band, points move less.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; borders, non-manifold edges and any orientation are tolerated.
  * Points that a reader split for texture coordinates or normals are welded for computing (exactly equal

@@ -1,12 +1,17 @@
 // Every mesh of the shared data, the dirty ones too, under six strokes that augment it: a 4-8 mesh of the
-// same topology or one message. Meant for the sanitizers as well. Skipped, saying so, where the folder is
-// absent.
+// same topology or one message; and under the same that relax it: its points, finite, or one message. Meant
+// for the sanitizers as well. Skipped, saying so, where the folder is absent.
 #include "hostile_meshes.h"
 #include "sound.h"
 
 #include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
+#ifdef OVERSKETCH_WITH_RELAX
+#include "vtkOversketchRelax.h"
+#endif
 
+#include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <utility>
 
@@ -85,5 +90,43 @@ TEST_P(HostileAugment, SixStrokesGiveASoundMeshOrOneMessage)
     std::cout << name << ": " << ear.errors[0];
   }
 }
+
+#ifdef OVERSKETCH_WITH_RELAX
+TEST_P(HostileAugment, SixStrokesRelaxItOrGiveOneMessage)
+{
+  const vtkSmartPointer<vtkPolyData> polyData = read();
+  if (!polyData)
+  {
+    return;
+  }
+  const Mesh mesh = MeshOf(polyData);
+  const View view = wholeView(mesh, GetParam().size() % 2 == 1);
+  vtkNew<vtkOversketchRelax> system;
+  system->SetInputData(0, polyData);
+  for (const auto& [name, samples] : hostileStrokes(frontOf(mesh, view)))
+  {
+    SCOPED_TRACE(name);
+    Ear ear(system);
+    system->SetStrokesData(toStroke(samples, view));
+    const std::clock_t start = std::clock();
+    system->Update();
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, longestRun);
+    vtkPolyData* output = system->GetOutput();
+    if (system->GetErrorCode() == 0 && ear.errors.empty())
+    {
+      ASSERT_EQ(output->GetNumberOfPoints(), polyData->GetNumberOfPoints());
+      EXPECT_EQ(output->GetPolys(), polyData->GetPolys());
+      double box[6];
+      output->GetBounds(box);
+      EXPECT_TRUE(std::all_of(box, box + 6, [](double side) { return std::isfinite(side); }));
+      EXPECT_LT(output->GetLength(), 1.5 * polyData->GetLength());
+      continue;
+    }
+    ASSERT_EQ(ear.errors.size(), 1u) << (ear.errors.empty() ? "no message" : ear.errors[1]);
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_NE(system->GetErrorCode(), codeOf(Failure::Unexpected)) << ear.errors[0];
+  }
+}
+#endif
 
 INSTANTIATE_TEST_SUITE_P(SharedData, HostileAugment, testing::ValuesIn(meshNames()), meshTestName);
