@@ -51,7 +51,7 @@ FeatureCurves curvesWithCells(vtkPolyData* curves, vtkIdType triangles)
 
 struct vtkOversketchRelax::Inner
 {
-  // What the step reads, changed only where that has: the mesh's triangles with its repeated points welded.
+  // Inputs of the steps, changed only where theirs have: the mesh's triangles with repeated points welded.
   vtkNew<vtkPolyData> Mesh, Strokes;
   std::unique_ptr<Weld> Welding;
   vtkNew<vtkOversketchStrokeThinning> Thinning;
@@ -89,10 +89,24 @@ struct vtkOversketchRelax::Inner
   struct Result
   {
     vtkNew<vtkPolyData> Output, Curves;
-    std::vector<char> Moved; // by points
-    double Farthest = 0.0;
   };
   std::unique_ptr<Result> Made; // null after a run that failed
+  // Points of what is kept that lie elsewhere, and how far at most.
+  std::vector<char> Moved;
+  double Farthest = 0.0;
+  void Compare(vtkPolyData* mesh, vtkPolyData* output)
+  {
+    this->Moved.resize(static_cast<std::size_t>(output->GetNumberOfPoints()));
+    this->Farthest = 0.0;
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      Vector3 before, after;
+      mesh->GetPoint(i, before.data());
+      output->GetPoint(i, after.data());
+      this->Moved[i] = before != after;
+      this->Farthest = std::max(this->Farthest, (after - before).norm());
+    }
+  }
 
 private:
   MeshKey MeshSeen, StrokesSeen;
@@ -134,9 +148,8 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
       this->RunStage("Thinning");
       this->RunStage("Curves");
       vtkPolyData* curves = this->StageOutput("Curves");
-      const double size = mesh->GetLength();
       RelaxOptions options;
-      options.radius = this->Radius < 0.0 ? shareOfDiagonal * size : this->Radius;
+      options.radius = this->Radius < 0.0 ? shareOfDiagonal * mesh->GetLength() : this->Radius;
       options.strength = this->Strength;
       options.usePressure = this->UsePressure;
       options.featureAngle = this->FeatureAngle;
@@ -174,19 +187,11 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
           vtkNew<vtkPolyData> moved;
           moved->SetPoints(points);
           inner.Welding->Move(mesh, moved, result);
+          inner.Compare(mesh, result);
         });
       inner.Made = std::make_unique<Inner::Result>();
       inner.Made->Output->ShallowCopy(output);
       inner.Made->Curves->ShallowCopy(curves);
-      inner.Made->Moved.resize(static_cast<std::size_t>(output->GetNumberOfPoints()));
-      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
-      {
-        Vector3 before, after;
-        mesh->GetPoint(i, before.data());
-        output->GetPoint(i, after.data());
-        inner.Made->Moved[i] = before != after;
-        inner.Made->Farthest = std::max(inner.Made->Farthest, (after - before).norm());
-      }
     });
 }
 
@@ -244,7 +249,7 @@ void vtkOversketchRelax::GetRegion(vtkPolyData* region)
   region->Initialize();
   if (this->Internals->Made)
   {
-    PutTriangles(this->Internals->Made->Output, this->Internals->Made->Moved, 1, region);
+    PutTriangles(this->Internals->Made->Output, this->Internals->Moved, 1, region);
   }
 }
 
@@ -254,9 +259,9 @@ vtkOversketchSystem::FigureList vtkOversketchRelax::Figures()
   {
     return {};
   }
-  const std::vector<char>& moved = this->Internals->Made->Moved;
+  const std::vector<char>& moved = this->Internals->Moved;
   return { { "moved", static_cast<vtkIdType>(std::count(moved.begin(), moved.end(), 1)) },
-    { "farthest", this->Internals->Made->Farthest } };
+    { "farthest", this->Internals->Farthest } };
 }
 
 void vtkOversketchRelax::PrintSelf(ostream& os, vtkIndent indent)

@@ -27,7 +27,7 @@
  * A run that AbortExecute stopped needs Modified() before the next.
  *
  * Deterministic: same result bit for bit for any number of threads. The first stroke on a mesh makes its ray
- * scene, each further one costs what its band does.
+ * scene; each further one costs what its band does, and a look at each point of the mesh.
  *
  * @sa vtkOversketchSurfaceStroke vtkOversketchAugment
  */

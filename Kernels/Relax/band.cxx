@@ -22,7 +22,7 @@ constexpr double reach = 1.25, wholeWithin = 1.0 / reach;
 // rises there is to go.
 constexpr double solvedWithin = 2.0, weightBeyond = 300.0, weightWithin = 0.2;
 
-// What a curve says of the surface at its points.
+// Properties of the surface at a curve's points.
 struct Ground
 {
   double radius;
@@ -74,8 +74,8 @@ std::vector<double> leastNear(const FeatureCurve& curve, const std::vector<doubl
 Ground groundOf(const FeatureCurve& curve, const RelaxOptions& options)
 {
   Ground ground{ reach * curve.radius.value_or(options.radius), {}, {}, {} };
-  // Of a limb that is thinner than the band the surface may not be drawn in from all sides: it keeps the
-  // waves that go round it.
+  // A limb that is thinner than the band may not be drawn in from all sides: it keeps the waves that go round
+  // it.
   constexpr double shareOfThickness = 0.15;
   std::vector<double> thicknesses(curve.points.size(), ground.radius / shareOfThickness);
   for (std::size_t i = 0; i < curve.room.size(); ++i)
@@ -108,8 +108,7 @@ double besideness(const Vector3& offset, const Vector3& normal, double radius, d
   return depth / (steepest * aside + std::min(0.5 * radius, 0.25 * thickness));
 }
 
-// What becomes of a vertex by the curve that is nearest in terms of its radius; a scale of 0 where none is
-// near.
+// Lot of a vertex by the curve that is nearest in terms of its radius; a scale of 0 where none is near.
 struct Hold
 {
   double share = 0.0, scale = 0.0;

@@ -27,8 +27,9 @@ struct RelaxOptions
 struct RelaxBand
 {
   MeshPart part; // the vertices that are solved for are its region
-  // Of each vertex of the part: the share of the way that it moves; a length, 5/4 of the radius or 3/20 of
-  // how thick the model is; and how much it counts for, a fifth within the radius and 300 beyond the band.
+  // Numbers of each vertex of the part: the share of the way that it moves; a length, 5/4 of the radius or
+  // 3/20 of how thick the model is; and how much it counts for, a fifth within the radius and 300 beyond the
+  // band.
   std::vector<double> share, scale, weight;
 };
 

@@ -1,6 +1,7 @@
 #include "augment_options.h"
 
 #include "flow_layout.h"
+#include "length_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,9 +23,7 @@ namespace
 {
 
 constexpr double ownRadius = 0.03; // of the diagonal: the system's
-constexpr double leastRadius = 1e-3;
-constexpr double notch = 0.1;
-constexpr ulong pause = 1000; // ms; a hand that rests so long begins anew
+constexpr ulong pause = 1000;      // ms; a hand that rests so long begins anew
 
 template <typename T>
 T valueOr(const Values& values, const char* name, T otherwise)
@@ -39,8 +38,8 @@ AugmentOptions::AugmentOptions(QWidget* parent)
   : QWidget(parent)
   , Mode(new QComboBox(this))
   , Direction(new QComboBox(this))
-  , RadiusBox(new QDoubleSpinBox(this))
-  , HeightBox(new QDoubleSpinBox(this))
+  , RadiusBox(new LengthBox(this))
+  , HeightBox(new LengthBox(this))
   , Pressure(new QCheckBox(tr("Pressure is height"), this))
 {
   auto* row = new FlowLayout(this);
@@ -74,8 +73,6 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     tr("Where the pen is pressed less it rises less"));
   for (QDoubleSpinBox* box : { this->RadiusBox, this->HeightBox })
   {
-    box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setKeyboardTracking(false);
     box->installEventFilter(this);
   }
   connect(this->Mode, QOverload<int>::of(&QComboBox::activated), this, &AugmentOptions::chosen);
@@ -108,20 +105,18 @@ AugmentOptions::AugmentOptions(QWidget* parent)
   this->begin(1.0);
 }
 
+double AugmentOptions::diagonal() const
+{
+  return this->RadiusBox->diagonal();
+}
+
 void AugmentOptions::begin(double diagonal)
 {
-  this->Diagonal = diagonal > 0.0 ? diagonal : 1.0;
-  this->Radius = ownRadius * this->Diagonal;
-  this->Height = 0.0;
-  // Three digits of the least.
-  const int decimals =
-    std::clamp(2 - static_cast<int>(std::floor(std::log10(leastRadius * this->Diagonal))), 0, 12);
   const QSignalBlocker quiet(this->RadiusBox), silent(this->HeightBox);
-  for (QDoubleSpinBox* box : { this->RadiusBox, this->HeightBox })
-  {
-    box->setDecimals(std::max(decimals - 1, 0));
-    box->setRange(leastRadius * this->Diagonal, this->Diagonal);
-  }
+  this->RadiusBox->begin(diagonal);
+  this->HeightBox->begin(diagonal);
+  this->Radius = ownRadius * this->diagonal();
+  this->Height = 0.0;
   this->refresh();
 }
 
@@ -138,7 +133,7 @@ void AugmentOptions::setValues(const Values& values)
   this->Mode->setCurrentIndex(valueOr(values, "SketchMode", 0));
   this->Pressure->setChecked(valueOr(values, "UsePressure", false));
   const double radius = valueOr(values, "Radius", -1.0), height = valueOr(values, "Height", 0.0);
-  this->Radius = radius > 0.0 ? radius : ownRadius * this->Diagonal;
+  this->Radius = radius > 0.0 ? radius : ownRadius * this->diagonal();
   // Half the radius is what is nobody's choice, and stays so.
   const bool isOwn = height == 0.0 || std::abs(height - 0.5 * this->Radius) < 1e-12 * this->Radius;
   this->Height = isOwn ? 0.0 : height;
@@ -164,18 +159,17 @@ bool AugmentOptions::isOnSurface() const
 
 void AugmentOptions::widen(double notches, ulong time)
 {
-  this->Radius =
-    std::clamp(this->Radius * std::pow(1.0 + notch, notches), leastRadius * this->Diagonal, this->Diagonal);
+  this->Radius = this->RadiusBox->turned(this->Radius, notches);
   this->changed(this->RadiusBox, time);
 }
 
 void AugmentOptions::heighten(double notches, ulong time)
 {
-  const double step = notch * this->Radius, least = 0.5 * step;
+  const double step = LengthBox::notch * this->Radius, least = 0.5 * step;
   double height = this->height() + notches * step;
   // There is no height of 0, which is the system's word for its own.
   height = std::abs(height) < least ? std::copysign(step, notches) : height;
-  this->Height = std::clamp(height, -this->Diagonal, this->Diagonal);
+  this->Height = std::clamp(height, -this->diagonal(), this->diagonal());
   this->changed(this->HeightBox, time);
 }
 

@@ -13,6 +13,8 @@ class QDoubleSpinBox;
 namespace oversketch_studio
 {
 
+class LengthBox;
+
 class AugmentOptions : public QWidget
 {
   Q_OBJECT
@@ -20,7 +22,7 @@ class AugmentOptions : public QWidget
 public:
   explicit AugmentOptions(QWidget* parent = nullptr);
 
-  double diagonal() const { return this->Diagonal; }
+  double diagonal() const;
   // For a model whose box has that diagonal: radius and height begin as the system's own are there.
   void begin(double diagonal);
   // Lengths are those of the model, whatever becomes of it: SketchMode, Radius, Height, UsePressure.
@@ -47,10 +49,10 @@ private:
   void chosen();
   void changed(const QDoubleSpinBox* length, ulong time);
 
-  double Diagonal = 1.0, Radius = 0.03;
+  double Radius = 0.03;
   double Height = 0.0; // 0: half the radius; below 0 inward
   QComboBox *Mode, *Direction;
-  QDoubleSpinBox *RadiusBox, *HeightBox;
+  LengthBox *RadiusBox, *HeightBox;
   QCheckBox* Pressure;
   const QDoubleSpinBox* LastChanged = nullptr;
   ulong LastTime = 0, BoxTime = 0; // of that change; of the last event that came to a box

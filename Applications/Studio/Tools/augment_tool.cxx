@@ -52,8 +52,8 @@ AugmentTool::AugmentTool(Viewport* viewport, const Document* document)
   this->setObjectName("augment");
   this->Options->hide(); // until the window has a place for them
   this->Profile->hide();
-  connect(this->Options, &AugmentOptions::shaped, this, &AugmentTool::shape);
-  connect(this->Profile, &ProfileEditor::shaped, this, &AugmentTool::shape);
+  connect(this->Options, &AugmentOptions::shaped, this, &AugmentTool::reshape);
+  connect(this->Profile, &ProfileEditor::shaped, this, &AugmentTool::reshape);
   const auto begin = [this](vtkPolyData* mesh)
   {
     this->Sized = mesh != nullptr;
@@ -176,7 +176,7 @@ void AugmentTool::setOptions(const Values& options)
   this->Options->setValues(values);
   this->Profile->setShape(
     std::get<std::string>(options.at("Profile")), std::get<double>(options.at("Sharpness")));
-  this->shape(false);
+  this->reshape(false);
 }
 
 QWidget* AugmentTool::makePanel(QWidget* parent)
@@ -189,20 +189,12 @@ QWidget* AugmentTool::makePanel(QWidget* parent)
 void AugmentTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
 {
   HeldStrokeTool::offer(step, state, place);
-  this->IsOffered = true;
-  this->Offered = step.values;
   this->Options->setValues(step.values);
   const auto profile = step.values.find("Profile"), sharpness = step.values.find("Sharpness");
   this->Profile->setShape(
     profile == step.values.end() ? std::string() : std::get<std::string>(profile->second),
     sharpness == step.values.end() ? 1.5 : std::get<double>(sharpness->second));
   this->setValues(this->values());
-}
-
-void AugmentTool::offerNothing()
-{
-  HeldStrokeTool::offerNothing();
-  this->IsOffered = false;
 }
 
 Values AugmentTool::values() const
@@ -216,19 +208,9 @@ Values AugmentTool::values() const
   return values;
 }
 
-void AugmentTool::shape(bool mergesIntoLast)
+void AugmentTool::reshape(bool mergesIntoLast)
 {
-  const Values values = this->values();
-  this->setValues(values);
-  // While the pen draws they are the new line's alone.
-  if (this->IsOffered && !this->draws())
-  {
-    for (const auto& [name, value] : values)
-    {
-      this->Offered[name] = value;
-    }
-    emit this->shaped(this->Offered, mergesIntoLast);
-  }
+  this->shape(this->values(), mergesIntoLast);
 }
 
 // Without what the last step has raised, which the mesh carries.
@@ -267,7 +249,7 @@ bool AugmentTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong t
   {
     return false;
   }
-  if (this->IsOffered && !this->draws())
+  if (this->shapesOffered())
   {
     wide ? Latency::of().radius() : Latency::of().height();
   }

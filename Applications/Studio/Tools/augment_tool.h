@@ -38,7 +38,6 @@ public:
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point& place) override;
-  void offerNothing() override;
   bool wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time) override;
 
 protected:
@@ -46,13 +45,11 @@ protected:
 
 private:
   oversketch_session::Values values() const;
-  void shape(bool mergesIntoLast);
+  void reshape(bool mergesIntoLast);
 
   AugmentOptions* Options;
   ProfileEditor* Profile;
   bool Sized = false; // lengths are those of the open model
-  bool IsOffered = false;
-  oversketch_session::Values Offered; // of the step that is
 };
 
 } // namespace oversketch_studio

@@ -185,6 +185,7 @@ bool HeldStrokeTool::moves() const
 
 void HeldStrokeTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
 {
+  this->Offered = step.values;
   this->Followed = state.following;
   this->Widget->SetTookHold(state.failure.empty());
   this->Widget->HoldStroke(linesOf(step, this->Input), place.data());
@@ -193,6 +194,7 @@ void HeldStrokeTool::offer(const Step& step, const Worker::NodeState& state, con
 
 void HeldStrokeTool::offerNothing()
 {
+  this->Offered.reset();
   this->Followed = nullptr;
   this->Widget->HoldStroke(nullptr, nullptr);
   this->View->renderSoon();
@@ -232,6 +234,19 @@ void HeldStrokeTool::setValues(const Values& values)
   if (this->draws())
   {
     this->View->renderSoon();
+  }
+}
+
+void HeldStrokeTool::shape(const Values& values, bool mergesIntoLast)
+{
+  this->setValues(values);
+  if (this->shapesOffered())
+  {
+    for (const auto& [name, value] : values)
+    {
+      (*this->Offered)[name] = value;
+    }
+    emit this->shaped(*this->Offered, mergesIntoLast);
   }
 }
 

@@ -65,6 +65,11 @@ public:
 protected:
   // Sets what new steps are made with beside their stroke, also the one whose stroke is being drawn.
   void setValues(const oversketch_session::Values& values);
+  // The same, and gives them to the step that is offered, but while a line is drawn, whose alone they are
+  // then.
+  void shape(const oversketch_session::Values& values, bool mergesIntoLast);
+  // Whether shape() would change that one.
+  bool shapesOffered() const { return this->Offered && !this->draws(); }
   // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
   // the stroke would make is looked for there while it is moved.
   virtual vtkSmartPointer<vtkPolyData> meshBefore() const { return nullptr; }
@@ -87,6 +92,7 @@ private:
   vtkNew<vtkOversketchHeldStrokeWidget> Widget; // shows and moves strokes; the document runs them
   PenSection Section;
   oversketch_session::Values StrokeValues;
+  std::optional<oversketch_session::Values> Offered; // of the step that is
   std::shared_ptr<const oversketch_session::Following> Followed;
   std::unique_ptr<Preview> MovePreview; // while a stroke is moved
   bool LooksBefore = false;             // the same, over meshBefore()

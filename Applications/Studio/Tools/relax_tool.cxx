@@ -1,17 +1,14 @@
 #include "relax_tool.h"
 
 #include "document.h"
+#include "length_box.h"
 #include "viewport.h"
 
 #include "vtkPolyData.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-
-#include <algorithm>
-#include <cmath>
 
 namespace oversketch_studio
 {
@@ -24,8 +21,6 @@ namespace
 constexpr const char* radiusName = "Radius";
 // Half as wide again as lines are, so that one goes though it is missed a little.
 constexpr double ownRadiusOfSize = 0.045;
-constexpr double leastOfSize = 1e-3;
-constexpr double wider = 1.1;       // with a notch
 constexpr ulong restOfWheel = 1000; // ms; a hand that rests so long begins anew
 
 } // namespace
@@ -33,7 +28,7 @@ constexpr ulong restOfWheel = 1000; // ms; a hand that rests so long begins anew
 RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
   : HeldStrokeTool("Relax", viewport, document)
   , Bar(new QWidget(viewport))
-  , Radius(new QDoubleSpinBox(this->Bar))
+  , Radius(new LengthBox(this->Bar))
 {
   this->setObjectName("relax");
   this->Bar->hide(); // until the window has a place for it
@@ -41,8 +36,6 @@ RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
   this->Radius->setAccessibleName(tr("Radius"));
   this->Radius->setToolTip(
     tr("How far from the line it is smoothed, in lengths of the model (Ctrl + wheel)"));
-  this->Radius->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  this->Radius->setKeyboardTracking(false);
   auto* label = new QLabel(tr("Radius"), this->Bar);
   label->setBuddy(this->Radius);
   auto* row = new QHBoxLayout(this->Bar);
@@ -50,7 +43,7 @@ RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
   row->addWidget(label);
   row->addWidget(this->Radius);
   connect(this->Radius,
-    QOverload<double>::of(&QDoubleSpinBox::valueChanged),
+    QOverload<double>::of(&LengthBox::valueChanged),
     this,
     [this](double radius) { this->setRadius(radius, false); });
   connect(document, &Document::opened, this, [this, document] { this->begin(document->session().mesh); });
@@ -59,7 +52,7 @@ RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
     this,
     [this, document]
     {
-      if (this->Size == 0.0) // a first step made it
+      if (!this->Sized && document->result().mesh) // a first step made it
       {
         this->begin(document->result().mesh);
       }
@@ -117,7 +110,7 @@ QWidget* RelaxTool::makeOptions(QWidget* parent)
 Values RelaxTool::options() const
 {
   Values options = HeldStrokeTool::options();
-  options[radiusName] = this->Radius->value() / (this->Size > 0.0 ? this->Size : 1.0);
+  options[radiusName] = this->Radius->value() / this->Radius->diagonal();
   return options;
 }
 
@@ -125,48 +118,35 @@ void RelaxTool::setOptions(const Values& options)
 {
   HeldStrokeTool::setOptions(options);
   const double share = std::get<double>(options.at(radiusName));
-  this->setRadius(share * (this->Size > 0.0 ? this->Size : 1.0), false);
+  this->setRadius(share * this->Radius->diagonal(), false);
 }
 
 void RelaxTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
 {
   HeldStrokeTool::offer(step, state, place);
-  this->IsOffered = true;
-  this->Offered = step.values;
-}
-
-void RelaxTool::offerNothing()
-{
-  HeldStrokeTool::offerNothing();
-  this->IsOffered = false;
+  const auto radius = step.values.find(radiusName);
+  if (radius != step.values.end())
+  {
+    const QSignalBlocker quiet(this->Radius);
+    this->Radius->setValue(std::get<double>(radius->second));
+    this->setValues({ { radiusName, this->Radius->value() } });
+  }
 }
 
 void RelaxTool::begin(vtkPolyData* mesh)
 {
-  this->Size = mesh ? mesh->GetLength() : 0.0;
-  const double size = this->Size > 0.0 ? this->Size : 1.0;
+  this->Sized = mesh != nullptr;
   const QSignalBlocker quiet(this->Radius);
-  this->Radius->setDecimals(
-    std::clamp(2 - static_cast<int>(std::floor(std::log10(leastOfSize * size))), 1, 13) - 1);
-  this->Radius->setRange(leastOfSize * size, size);
-  this->Radius->setValue(ownRadiusOfSize * size);
+  this->Radius->begin(mesh ? mesh->GetLength() : 0.0);
+  this->Radius->setValue(ownRadiusOfSize * this->Radius->diagonal());
   this->setValues({ { radiusName, this->Radius->value() } });
 }
 
 void RelaxTool::setRadius(double radius, bool mergesIntoLast)
 {
-  {
-    const QSignalBlocker quiet(this->Radius);
-    this->Radius->setValue(radius);
-  }
-  const Values values{ { radiusName, this->Radius->value() } };
-  this->setValues(values);
-  // While the pen draws it is the new line's alone.
-  if (this->IsOffered && !this->draws())
-  {
-    this->Offered[radiusName] = this->Radius->value();
-    emit this->shaped(this->Offered, mergesIntoLast);
-  }
+  const QSignalBlocker quiet(this->Radius);
+  this->Radius->setValue(radius);
+  this->shape({ { radiusName, this->Radius->value() } }, mergesIntoLast);
 }
 
 bool RelaxTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time)
@@ -177,7 +157,7 @@ bool RelaxTool::wheel(double notches, Qt::KeyboardModifiers modifiers, ulong tim
   }
   const bool goesOn = time >= this->WheelTime && time - this->WheelTime < restOfWheel;
   this->WheelTime = time;
-  this->setRadius(this->Radius->value() * std::pow(wider, notches), goesOn);
+  this->setRadius(this->Radius->turned(this->Radius->value(), notches), goesOn);
   return true;
 }
 

@@ -4,10 +4,10 @@
 
 #include "held_stroke_tool.h"
 
-class QDoubleSpinBox;
-
 namespace oversketch_studio
 {
+
+class LengthBox;
 
 class RelaxTool : public HeldStrokeTool
 {
@@ -37,7 +37,6 @@ public:
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point& place) override;
-  void offerNothing() override;
   bool wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time) override;
 
 private:
@@ -45,10 +44,8 @@ private:
   void setRadius(double radius, bool mergesIntoLast);
 
   QWidget* Bar;
-  QDoubleSpinBox* Radius; // [model length]
-  double Size = 0.0;      // of the open model; 0: none yet
-  bool IsOffered = false;
-  oversketch_session::Values Offered; // of the step that is
+  LengthBox* Radius;
+  bool Sized = false; // lengths are those of the open model
   ulong WheelTime = 0;
 };
 

@@ -163,7 +163,10 @@ bool HandGestures::smooths(QEvent* event)
   {
     Tool* before = std::exchange(this->Rests, nullptr); // what is sent is not asked again
     this->send(*mouse, Qt::LeftButton, Qt::NoModifier);
-    this->View->setTool(before);
+    if (this->View->tool() == this->smoother()) // no other was chosen meanwhile
+    {
+      this->View->setTool(before);
+    }
     return true;
   }
   return false;
