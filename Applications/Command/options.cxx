@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "film.h"
 #include "heights.h"
 #include "mesh_file.h"
 #include "models.h"
@@ -161,6 +162,7 @@ OptionTable tableOf(Options& options)
   if (findInput(*options.system, SystemInput::Kind::Stroke))
   {
     table["--picture"] = fileOption(options.picture, ".png");
+    table["--turntable"] = fileOption(options.turntable);
   }
   if (findInput(*options.system, SystemInput::Kind::Mesh))
   {
@@ -418,6 +420,10 @@ std::vector<OptionText> optionsOf(const SystemRow& system)
       "PNG",
       "picture of the result from the first stroke's view: strokes over it, in blue what they took hold of, "
       "in orange what moved; needs a display" });
+    options.push_back({ "--turntable",
+      "FILE",
+      "film of the result while the eye goes round it once, in " + std::to_string(framesOfTurn) +
+        " frames: .ogv one file, NAME.png pictures NAME_001.png, …; needs a display" });
   }
   options.push_back({ "--report", "JSON", "times of the stages, counts, distances" });
   options.push_back({ "--backend",

@@ -48,7 +48,7 @@ struct Options
   std::map<std::string, std::string> textFiles; // by the properties that they say
   std::string session;                          // replay: a session; assemble: the file of the parts
   int model = 0;                                // replay: of the scene, from 1; 0: all of them
-  std::string output, picture, report, inner;
+  std::string output, picture, turntable, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
   vtkIdType proxyAbove = oversketch_session::mostTriangles;
 };

@@ -1,6 +1,8 @@
 #include "picture.h"
 
 #include "files.h"
+#include "film.h"
+#include "terminal.h"
 
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
@@ -13,14 +15,12 @@
 #include "vtkCleanPolyData.h"
 #include "vtkCullerCollection.h"
 #include "vtkDataArray.h"
-#include "vtkErrorCode.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkImageShrink3D.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyDataMapper.h"
@@ -38,6 +38,9 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace oversketch_command
 {
@@ -229,11 +232,11 @@ std::vector<Ink> inkOf(vtkPolyData* data, const View* view, const Colour& colour
 }
 
 // The model under the lamps of the gallery.
-void light(vtkRenderer* scene, vtkPolyData* model, const View& view)
+vtkSmartPointer<vtkActor> light(vtkRenderer* scene, vtkPolyData* model)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(model);
-  vtkNew<vtkActor> actor;
+  auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
   property->SetInterpolationToPhong();
@@ -257,7 +260,7 @@ void light(vtkRenderer* scene, vtkPolyData* model, const View& view)
   addLamp(scene, -0.45, 0.80, 0.75, 1.0, 0.98, 0.94, 0.80);
   addLamp(scene, 0.90, 0.10, 0.55, 0.90, 0.94, 1.0, 0.28);
   addLamp(scene, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 0.24);
-  aim(scene->GetActiveCamera(), view, model->GetBounds());
+  return actor;
 }
 
 // A polydata with the strokes alone that share the first one's view, which the picture is taken from.
@@ -338,6 +341,58 @@ void draw(vtkRenderer* ink, const std::vector<Ink>& lines, const View& view)
   page->SetClippingRange(1.0, z + 200.0);
 }
 
+// A window off the screen that draws renderers over each other, in a view's viewport size.
+class Film
+{
+public:
+  Film(const View& view, const std::vector<vtkRenderer*>& layers, std::string path)
+    : Width(view.width())
+    , Height(view.height())
+    , Path(std::move(path))
+  {
+    this->Window->SetMultiSamples(0);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetSize(this->Factor * this->Width, this->Factor * this->Height);
+    this->Window->SetNumberOfLayers(static_cast<int>(layers.size()));
+    for (vtkRenderer* layer : layers)
+    {
+      this->Window->AddRenderer(layer);
+    }
+  }
+
+  // Throws Failed, naming the path.
+  vtkSmartPointer<vtkImageData> frame() const
+  {
+    takeError();
+    this->Window->Render();
+    // Not vtkWindowToImageFilter: in VTK 9.1 it renders with copies of the cameras that lack the explicit
+    // projection.
+    const int columns = this->Factor * this->Width, rows = this->Factor * this->Height;
+    vtkNew<vtkUnsignedCharArray> pixels;
+    this->Window->GetPixelData(0, 0, columns - 1, rows - 1, 0, pixels);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(columns, rows, 1);
+    image->GetPointData()->SetScalars(pixels);
+    vtkNew<vtkImageShrink3D> smaller;
+    smaller->SetInputData(image);
+    smaller->SetShrinkFactors(this->Factor, this->Factor, 1);
+    smaller->MeanOn();
+    smaller->Update();
+    if (!takeError().empty())
+    {
+      throw Failed(this->Path + ": the picture could not be rendered; does the display have OpenGL 3.2?");
+    }
+    return smaller->GetOutput();
+  }
+
+private:
+  int Width, Height;
+  // Larger and averaged: smooth edges without depending on the driver's multisampling.
+  int Factor = std::clamp(4096 / std::max(this->Width, this->Height), 1, 3);
+  std::string Path;
+  vtkNew<vtkRenderWindow> Window;
+};
+
 } // namespace
 
 void requireDisplay()
@@ -358,7 +413,8 @@ void requireDisplay()
   if (!there)
   {
     throw Failed(
-      "--picture needs a display to render with, and there is none; run the command under xvfb-run -a");
+      "--picture and --turntable need a display to render with, and there is none; run the command under "
+      "xvfb-run -a");
   }
 }
 
@@ -370,53 +426,49 @@ void writePicture(const SystemRow& row,
 {
   const vtkSmartPointer<vtkPolyData> shown = ofFirstView(strokes);
   const View view = oversketch::ViewOf(shown);
-  const int width = view.width(), height = view.height();
   vtkNew<vtkPolyData> region;
   system->GetRegion(region);
   vtkNew<vtkRenderer> scene, ink;
-  light(scene, modelOf(system->GetOutput(), region, view), view);
+  const vtkSmartPointer<vtkPolyData> model = modelOf(system->GetOutput(), region, view);
+  light(scene, model);
+  aim(scene->GetActiveCamera(), view, model->GetBounds());
   ink->SetLayer(1);
   draw(ink, inkOf(row, system, shown, view), view);
 
-  // Larger and averaged: smooth edges without depending on the driver's multisampling.
-  const int factor = std::clamp(4096 / std::max(width, height), 1, 3);
-  vtkNew<vtkRenderWindow> window;
-  window->SetMultiSamples(0);
-  window->SetOffScreenRendering(1);
-  window->SetSize(factor * width, factor * height);
-  window->SetNumberOfLayers(2);
-  window->AddRenderer(scene);
-  window->AddRenderer(ink);
-  takeError();
-  window->Render();
-  // Not vtkWindowToImageFilter: in VTK 9.1 it renders with copies of the cameras that lack the explicit
-  // projection.
-  vtkNew<vtkUnsignedCharArray> pixels;
-  window->GetPixelData(0, 0, factor * width - 1, factor * height - 1, 0, pixels);
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(factor * width, factor * height, 1);
-  image->GetPointData()->SetScalars(pixels);
-  vtkNew<vtkImageShrink3D> smaller;
-  smaller->SetInputData(image);
-  smaller->SetShrinkFactors(factor, factor, 1);
-  smaller->MeanOn();
-  smaller->Update();
-  if (!takeError().empty())
+  writePng(path, Film(view, { scene.Get(), ink.Get() }, path).frame(), files);
+}
+
+void writeTurntable(vtkOversketchSystem* system,
+  vtkPolyData* strokes,
+  const std::string& path,
+  NewFiles& files)
+{
+  const View view = oversketch::ViewOf(ofFirstView(strokes));
+  vtkNew<vtkPolyData> region;
+  system->GetRegion(region);
+  const vtkSmartPointer<vtkPolyData> model = modelOf(system->GetOutput(), region, view);
+  // Its camera stands still, so the model is turned: by as much to the other side.
+  oversketch::Vector3 middle;
+  system->GetOutput()->GetCenter(middle.data());
+  middle = (view.viewTransform() * middle.homogeneous()).head<3>().eval();
+  const Eigen::Matrix3d turned = view.viewTransform().topLeftCorner<3, 3>();
+  const int up = std::abs(turned(1, 1)) >= std::abs(turned(1, 2)) ? 1 : 2;
+  const oversketch::Vector3 axis = turned.col(up);
+  const double reach = model->GetLength();
+  const double swept[6] = { 0.0, 0.0, 0.0, 0.0, middle[2] - reach, middle[2] + reach };
+  vtkNew<vtkRenderer> scene;
+  const vtkSmartPointer<vtkActor> actor = light(scene, model);
+  aim(scene->GetActiveCamera(), view, swept);
+  actor->SetOrigin(middle.data());
+  const Film film(view, { scene.Get() }, path);
+  const auto frame = [&](int number)
   {
-    throw Failed(path + ": the picture could not be rendered; does the display have OpenGL 3.2?");
-  }
-  files.write(path,
-    [&](const std::string& temporary)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetInputConnection(smaller->GetOutputPort());
-      writer->SetFileName(temporary.c_str());
-      writer->Write();
-      if (writer->GetErrorCode() != vtkErrorCode::NoError || !takeError().empty())
-      {
-        throw Failed(path + ": could not be written (is the disk full?)");
-      }
-    });
+    throwIfInterrupted();
+    actor->SetOrientation(0.0, 0.0, 0.0);
+    actor->RotateWXYZ(-360.0 * number / framesOfTurn, axis[0], axis[1], axis[2]);
+    return film.frame();
+  };
+  writeFilm(path, framesOfTurn, frame, files);
 }
 
 } // namespace oversketch_command

@@ -1,4 +1,4 @@
-// The picture that --picture draws.
+// The picture that --picture draws, and the film of --turntable.
 #ifndef oversketch_applications_command_picture_h
 #define oversketch_applications_command_picture_h
 
@@ -21,6 +21,15 @@ void requireDisplay();
 // outlines of an augmentation green (the colours of the papers' figures). One of the files.
 void writePicture(const oversketch_session::SystemRow& row,
   vtkOversketchSystem* system,
+  vtkPolyData* strokes,
+  const std::string& path,
+  oversketch_files::NewFiles& files);
+
+// A film of the result, as the first stroke's view shows it but for strokes and lines, while the eye goes
+// round it once, counter-clockwise seen from above, about the axis through its middle that is up in that
+// view, y or z: 72 frames, the first of which is that view. Throws Failed where the path's ending is no
+// format of films.
+void writeTurntable(vtkOversketchSystem* system,
   vtkPolyData* strokes,
   const std::string& path,
   oversketch_files::NewFiles& files);

@@ -114,7 +114,7 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
     }
   }
   requireOutputs(options, read, inner);
-  if (!options.picture.empty())
+  if (!options.picture.empty() || !options.turntable.empty())
   {
     requireDisplay();
   }
@@ -354,6 +354,10 @@ void runSystem(const Options& options)
   if (!options.picture.empty())
   {
     writePicture(*options.system, system, strokesOf(options, *session.nodes[0].step), options.picture, files);
+  }
+  if (!options.turntable.empty())
+  {
+    writeTurntable(system, strokesOf(options, *session.nodes[0].step), options.turntable, files);
   }
   throwIfInterrupted();
   files.commit();

@@ -1,6 +1,7 @@
 #include "verbs.h"
 
 #include "files.h"
+#include "film.h"
 #include "heights.h"
 #include "terminal.h"
 #include "texture.h"
@@ -48,6 +49,12 @@ void requireOutputs(const Options& options, std::vector<NamedFile> read, const s
   std::vector<NamedFile> written = {
     { "-o", options.output }, { "--report", options.report }, { "--picture", options.picture }
   };
+  const std::vector<std::string> film =
+    options.turntable.empty() ? std::vector<std::string>() : filmFiles(options.turntable, framesOfTurn);
+  for (const std::string& path : film)
+  {
+    written.emplace_back("--turntable", path);
+  }
   written.insert(written.end(), inside.begin(), inside.end());
   for (const auto& [what, path] : written)
   {
@@ -70,6 +77,10 @@ void requireOutputs(const Options& options, std::vector<NamedFile> read, const s
     {
       requireWritable(*path);
     }
+  }
+  for (const std::string& path : film)
+  {
+    requireWritable(path);
   }
 }
 

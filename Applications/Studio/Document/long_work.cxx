@@ -143,6 +143,28 @@ oversketch_session::Progress progressOfWork()
     [here] { return here && here->givenUp; } };
 }
 
+WorkHere::WorkHere(QWidget* parent, const QString& what)
+  : Dialog(what, LongWorkTexts::tr("&Cancel"), 0, 100, parent)
+{
+  going << what;
+  this->Dialog.setWindowTitle(LongWorkTexts::tr("Oversketch"));
+  this->Dialog.setWindowModality(Qt::WindowModal);
+  this->Dialog.setAutoReset(false);
+  this->Dialog.show();
+}
+
+WorkHere::~WorkHere()
+{
+  going.removeLast();
+}
+
+bool WorkHere::goesOn(double share)
+{
+  this->Dialog.setValue(static_cast<int>(100.0 * share));
+  QCoreApplication::processEvents();
+  return !this->Dialog.wasCanceled();
+}
+
 QString longWorkGoing()
 {
   return going.value(going.size() - 1);

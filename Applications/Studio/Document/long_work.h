@@ -5,11 +5,10 @@
 
 #include "large_mesh.h"
 
+#include <QProgressDialog>
 #include <QString>
 
 #include <functional>
-
-class QWidget;
 
 namespace oversketch_studio
 {
@@ -20,6 +19,24 @@ namespace oversketch_studio
 bool doLongWork(QWidget* parent, const QString& what, std::function<void()> work);
 // Progress that this thread's work tells, and its question whether it has been given up.
 oversketch_session::Progress progressOfWork();
+
+// Work that must stay on the window's thread, such as frames that it draws: a dialogue says how far it is,
+// with a button for giving it up. Nothing else of the window can be reached meanwhile.
+class WorkHere
+{
+public:
+  WorkHere(QWidget* parent, const QString& what);
+  ~WorkHere();
+  WorkHere(const WorkHere&) = delete;
+  WorkHere& operator=(const WorkHere&) = delete;
+
+  // Says how much of it is done [0 to 1], and lets the dialogue hear the hand; returns whether to go on.
+  bool goesOn(double share);
+
+private:
+  QProgressDialog Dialog;
+};
+
 // The text of one that goes on, so that nothing else is to be begun; else empty.
 QString longWorkGoing();
 

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace oversketch_studio
 {
@@ -105,7 +106,7 @@ void Display::fitAll(const int size[2])
     return;
   }
   double whole[6];
-  this->Others.box(this->Model.mesh()->GetBounds()).GetBounds(whole);
+  this->box().GetBounds(whole);
   this->Renderer->GetActiveCamera()->SetWindowCenter(0.0, 0.0);
   this->stepBack(whole, size);
   this->Renderer->ResetCameraClippingRange();
@@ -123,10 +124,15 @@ void Display::stepBack(const double box[6], const int size[2])
   camera->SetViewAngle(state.angle);
 }
 
-void Display::showWhole(const int size[2])
+vtkBoundingBox Display::box() const
 {
   const double none[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
-  const vtkBoundingBox box = this->Others.box(this->Model.mesh() ? this->Model.mesh()->GetBounds() : none);
+  return this->Others.box(this->Model.mesh() ? this->Model.mesh()->GetBounds() : none);
+}
+
+void Display::showWhole(const int size[2])
+{
+  const vtkBoundingBox box = this->box();
   bool isWhole = true;
   for (int i = 0; box.IsValid() && i < 8; ++i)
   {
@@ -157,6 +163,24 @@ void Display::setLook(const ModelLook& look)
   }
 }
 
+void Display::setLight(Light light)
+{
+  this->Lights.set(light);
+  this->setLook({ this->Look.shading, light, this->Look.pictures, this->Look.plain });
+}
+
+void Display::castShadow(bool isHeld)
+{
+  if (!isHeld)
+  {
+    std::vector<vtkPolyData*> meshes = this->Other ? this->Other->drawn() : this->Model.drawn();
+    const std::vector<vtkPolyData*> beside = this->Others.drawn();
+    meshes.insert(meshes.end(), beside.begin(), beside.end());
+    this->Shadow.cast(meshes);
+  }
+  this->Shadow.look();
+}
+
 void Display::setGround(bool shown)
 {
   this->Ground = shown;
@@ -171,6 +195,7 @@ void Display::showGround(bool shown)
 
 void Display::placeGround(const double box[6], int up)
 {
+  this->Shadow.setGround(up, box[2 * up]);
   const int beside = 3 - up;
   const double width = std::max(box[1] - box[0], box[2 * beside + 1] - box[2 * beside]);
   for (vtkPolyData* lines : { this->Lines.Get(), this->Middle.Get() })

@@ -1,7 +1,10 @@
-// How the model is looked at: its shading, the ground under it, what it was over it or instead of it.
+// How the model is looked at: its shading and light, the ground under it and the shadow there, what it was
+// over it or instead of it.
 #ifndef oversketch_applications_studio_view_display_h
 #define oversketch_applications_studio_view_display_h
 
+#include "ground_shadow.h"
+#include "lamps.h"
 #include "model_view.h"
 #include "resting_views.h"
 
@@ -36,9 +39,16 @@ public:
   void showWhole(const int size[2]);
 
   // Pictures and colours that models wear are seen, or not.
-  void setShading(Shading shading, bool pictures) { this->setLook({ shading, pictures, this->Look.plain }); }
+  void setShading(Shading shading, bool pictures)
+  {
+    this->setLook({ shading, this->Look.light, pictures, this->Look.plain });
+  }
+  void setLight(Light light);
   void setGround(bool shown);
   bool ground() const { return this->Ground; }
+  void setShadow(bool shown) { this->Shadow.setShown(shown); }
+  // A frame begins: the shadow is that of what is shown, or, while the hand holds something, as it was.
+  void castShadow(bool isHeld);
   // Another mesh, translucent over the model; null: none.
   void showOnion(vtkPolyData* mesh);
   // Another mesh instead of the model; null: the model again.
@@ -47,11 +57,13 @@ public:
 
   // The models beside it.
   RestingViews& others() { return this->Others; }
+  // Round all that is shown; not valid where nothing is.
+  vtkBoundingBox box() const;
 
   void setDark(bool dark);
   void setPlain(const std::array<double, 3>& colour)
   {
-    this->setLook({ this->Look.shading, this->Look.pictures, colour });
+    this->setLook({ this->Look.shading, this->Look.light, this->Look.pictures, colour });
   }
   // The ground and the onion, for a picture without them.
   void setOverlays(bool shown);
@@ -65,6 +77,8 @@ private:
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   RestingViews Others{ this->Renderer };
+  Lamps Lights{ this->Renderer };
+  GroundShadow Shadow{ this->Renderer };
   vtkNew<vtkPolyData> Lines, Middle; // on the ground, a round number apart; the middle ones: along x and z
   vtkNew<vtkActor> LineActor, MiddleActor;
   vtkNew<vtkPolyDataMapper> OnionMappers[2];

@@ -42,10 +42,11 @@ constexpr double pictureAmbient = 0.22, pictureDiffuse = 0.78, pictureShine = 0.
 constexpr vtkIdType largeModel = 100000, smallPart = 5000, coarseModel = 40000;
 constexpr const char* place = "//VTK::Light::Impl";
 
-// The colour by the way the surface faces, seen from the eye: of a ball of clay under a warm light from above
-// and the left, a cool one from below and the right, and a bright rim. Lights of the scene, colours and
-// pictures do not count. Reflected, so that a perspective shows flat faces alike wherever they are.
-constexpr const char* clay = R"(//VTK::Light::Impl
+// A colour by the way the surface faces, seen from the eye, as it is on a ball: how far it is lit by a warm
+// light from above and the left, by a cool one from below and the right, and how near the ball's rim it is.
+// Lights of the scene do not count. Reflected, so that a perspective shows flat faces alike wherever they
+// are.
+constexpr const char* ball = R"(//VTK::Light::Impl
   {
     vec3 seen = cameraParallel == 1 ? vec3(0.0, 0.0, -1.0) : normalize(vertexVC.xyz);
     vec3 away = reflect(seen, normalVCVSOutput);
@@ -55,15 +56,24 @@ constexpr const char* clay = R"(//VTK::Light::Impl
     vec3 ball = vec3(on, high);
     float warm = max(0.0, dot(ball, normalize(vec3(-0.45, 0.65, 0.61))));
     float cool = max(0.0, dot(ball, normalize(vec3(0.70, -0.55, 0.45))));
-    float shine = pow(max(0.0, dot(ball, normalize(vec3(-0.28, 0.42, 0.86)))), 28.0);
     float rim = pow(1.0 - high, 3.0);
+)";
+// Of clay, with a bright rim; colours and pictures do not count.
+constexpr const char* clay = R"(
+    float shine = pow(max(0.0, dot(ball, normalize(vec3(-0.28, 0.42, 0.86)))), 28.0);
     vec3 colour = vec3(0.16, 0.09, 0.08) + warm * vec3(0.66, 0.40, 0.31) + cool * vec3(0.10, 0.13, 0.18);
     gl_FragData[0].rgb = colour + 0.30 * shine + rim * vec3(0.22, 0.20, 0.22);
   }
 )";
+// Of plaster in the surface's own colour; a picture is laid over it afterwards. The sum is at most 0.94.
+constexpr const char* plaster = R"(
+    vec3 lit = vec3(0.22, 0.22, 0.24) + warm * vec3(0.70, 0.66, 0.60) + cool * vec3(0.12, 0.16, 0.22) + rim * vec3(0.03, 0.06, 0.10);
+    gl_FragData[0].rgb = (ambientColor + diffuseColor) * lit;
+  }
+)";
 
 // Draws an actor's surface so.
-void shade(vtkActor* actor, Shading shading)
+void shade(vtkActor* actor, Shading shading, Light light)
 {
   vtkProperty* look = actor->GetProperty();
   shading == Shading::Flat ? look->SetInterpolationToFlat() : look->SetInterpolationToGouraud();
@@ -71,9 +81,10 @@ void shade(vtkActor* actor, Shading shading)
   look->SetEdgeColor(0.33, 0.34, 0.36);
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   shaders->ClearFragmentShaderReplacement(place, false);
-  if (shading == Shading::Matcap)
+  const bool isClay = shading == Shading::Matcap;
+  if (isClay || light == Light::Matcap)
   {
-    shaders->AddFragmentShaderReplacement(place, false, clay, false);
+    shaders->AddFragmentShaderReplacement(place, false, std::string(ball) + (isClay ? clay : plaster), false);
   }
 }
 
@@ -141,7 +152,7 @@ struct ModelView::Part
   void setLook(const ModelLook& now)
   {
     this->look = now;
-    shade(this->actor, now.shading);
+    shade(this->actor, now.shading, now.light);
     this->put();
   }
   void wear(const SharedPicture& made)
@@ -270,6 +281,19 @@ bool ModelView::owns(const vtkActor* actor) const
 {
   return std::any_of(
     this->Parts.begin(), this->Parts.end(), [actor](const auto& part) { return part->actor == actor; });
+}
+
+std::vector<vtkPolyData*> ModelView::drawn() const
+{
+  std::vector<vtkPolyData*> meshes;
+  for (const auto& part : this->Parts)
+  {
+    if (vtkPolyData* mesh = part->actor->GetVisibility() ? part->mapper->GetInput() : nullptr)
+    {
+      meshes.push_back(mesh);
+    }
+  }
+  return meshes;
 }
 
 void ModelView::setLook(const ModelLook& look)

@@ -26,10 +26,20 @@ enum class Shading
 };
 constexpr int shadings = 4;
 
+// What a surface that is not clay is lit by. No light makes a white surface whiter than white.
+enum class Light
+{
+  Three, // key, fill and rim
+  Head,  // one at the eye
+  Matcap // as a ball of plaster is lit: by the way the surface faces, seen from the eye, alone
+};
+constexpr int lights = 3;
+
 // How a model is seen.
 struct ModelLook
 {
   Shading shading = Shading::Smooth;
+  Light light = Light::Three;
   bool pictures = true;                         // and colours that it wears are seen
   std::array<double, 3> plain{ 1.0, 1.0, 1.0 }; // the colour of what wears nothing
 };
@@ -48,6 +58,8 @@ public:
   // Shows the same mesh moved, in the same skins.
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
+  // What is drawn of it; nothing where it is not visible.
+  std::vector<vtkPolyData*> drawn() const;
   bool owns(const vtkActor* actor) const;
 
   void setLook(const ModelLook& look);

@@ -68,6 +68,17 @@ vtkBoundingBox RestingViews::box(const double with[6]) const
   return box;
 }
 
+std::vector<vtkPolyData*> RestingViews::drawn() const
+{
+  std::vector<vtkPolyData*> meshes;
+  for (const auto& [id, view] : this->Views)
+  {
+    const std::vector<vtkPolyData*> its = view->drawn();
+    meshes.insert(meshes.end(), its.begin(), its.end());
+  }
+  return meshes;
+}
+
 std::optional<int> RestingViews::at(int x, int y)
 {
   const vtkActor* actor = this->Views.empty() ? nullptr : this->Picker.actorAt(x, y, this->Renderer);

@@ -11,7 +11,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
+class vtkPolyData;
 class vtkRenderer;
 
 namespace oversketch_studio
@@ -32,6 +34,8 @@ public:
 
   // A box with theirs.
   vtkBoundingBox box(const double with[6]) const;
+  // What is drawn of them.
+  std::vector<vtkPolyData*> drawn() const;
   // The id of the one that is seen at a place of the picture [px from its lower left corner]; none where the
   // model that is worked on is, or nothing.
   std::optional<int> at(int x, int y);

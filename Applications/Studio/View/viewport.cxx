@@ -1,7 +1,6 @@
 #include "viewport.h"
 
 #include "camera_state.h"
-#include "files.h"
 #include "latency.h"
 #include "tools.h"
 #include "touch_hand.h"
@@ -13,8 +12,6 @@
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkGenericOpenGLRenderWindow.h"
-#include "vtkLightKit.h"
-#include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -22,7 +19,6 @@
 #include "vtkProperty.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <QKeyEvent>
 #include <QTimer>
@@ -92,10 +88,6 @@ Viewport::Viewport(QWidget* parent)
 
 void Viewport::makeScene()
 {
-  this->Lights->AddLightsToRenderer(this->Renderer);
-  this->Lights->SetKeyLightWarmth(0.55);
-  this->Lights->SetKeyToFillRatio(2.5);
-
   // Drawn over the surface that it lies on.
   this->Section->SetMapper(this->SectionMapper);
   this->SectionMapper->ScalarVisibilityOff();
@@ -432,57 +424,6 @@ void Viewport::showKeys(bool show)
 bool Viewport::showsKeys() const
 {
   return this->Style->GetShowKeys();
-}
-
-void Viewport::screenshot(const QString& path, bool overlays)
-{
-  const int section = this->Section->GetVisibility(), region = this->Region.isShown();
-  const bool mirror = this->Mirror.isVisible(), hint = this->HintBox.isVisible(),
-             keys = this->Style->GetShowKeys();
-  const auto showLines = [this](bool show)
-  {
-    for (Tool* tool : this->findChildren<Tool*>())
-    {
-      tool->showLines(show);
-    }
-    emit this->linesShown(show);
-    this->Looks.setOverlays(show);
-  };
-  if (!overlays)
-  {
-    showLines(false);
-    this->Section->VisibilityOff();
-    this->Region.actor()->VisibilityOff();
-    this->Mirror.setVisible(false);
-    this->HintBox.setVisible(false);
-    this->Style->SetShowKeys(false);
-  }
-  this->render();
-  this->renderSmooth();
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(this->Window);
-  picture->ReadFrontBufferOff();
-  picture->Update();
-  this->Section->SetVisibility(section);
-  this->Region.actor()->SetVisibility(region);
-  this->Mirror.setVisible(mirror);
-  this->HintBox.setVisible(hint);
-  this->Style->SetShowKeys(keys);
-  showLines(true);
-  this->render();
-  oversketch_files::writeWhole(path.toStdString(),
-    [&](const std::string& file)
-    {
-      vtkNew<vtkPNGWriter> writer;
-      writer->SetInputConnection(picture->GetOutputPort());
-      writer->SetFileName(file.c_str());
-      writer->Write();
-      if (writer->GetErrorCode() != 0)
-      {
-        throw oversketch_files::Failed(
-          tr("%1 could not be written. Is the disk full?").arg(path).toStdString());
-      }
-    });
 }
 
 Look lookOf(Viewport& view)

@@ -14,6 +14,7 @@
 #include "session.h"
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <functional>
@@ -23,7 +24,7 @@
 
 class QTimer;
 class vtkActor;
-class vtkLightKit;
+class vtkImageData;
 class vtkOversketchInteractorStyle;
 class vtkPolyData;
 class vtkPolyDataMapper;
@@ -89,6 +90,11 @@ public:
   bool showsKeys() const;
   // Writes what the window shows; without overlays only the model. Throws Failed.
   void screenshot(const QString& path, bool overlays);
+  // Writes a film (oversketch_files::writeFilm), without lines, while the eye goes round the middle of all
+  // that is shown once, about the axis that is up, counter-clockwise seen from above; its first frame is the
+  // present view. `goesOn` is asked before each frame, of the share that is done; returns false where it says
+  // no, and nothing is written. Throws Failed.
+  bool writeTurn(const QString& path, int frames, const std::function<bool(double)>& goesOn);
 
   // For tools.
   Display& display() { return this->Looks; }
@@ -125,6 +131,8 @@ protected:
   void resizeGL(int width, int height) override;
 
 private:
+  class Bare; // the view without lines, for a picture
+  vtkSmartPointer<vtkImageData> grabbed();
   void makeScene();
   void moveBegins(); // of the camera
   void render();
@@ -137,7 +145,6 @@ private:
   void lookAnew();
   void fitCamera();
 
-  vtkNew<vtkLightKit> Lights;
   ModelView Model{ this->Renderer };
   Display Looks{ this->Renderer, this->Model };
   HandGestures Gestures{ this };

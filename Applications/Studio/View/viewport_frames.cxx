@@ -38,6 +38,7 @@ void Viewport::render()
     this->CurrentTool->frameBegins();
   }
   this->Behind.look(this->Renderer);
+  this->Looks.castShadow(this->CurrentTool && this->CurrentTool->isBusy());
   if (this->onProcessor())
   {
     this->Renderer->UseFXAAOff();

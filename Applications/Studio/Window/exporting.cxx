@@ -1,11 +1,15 @@
 #include "exporting.h"
 
+#include "film.h"
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMessageBox>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QStringList>
 #include <QVector>
 
@@ -117,6 +121,58 @@ bool keepsPicture(const QString& path)
     all.end(),
     [suffix = QFileInfo(path).suffix().toLower()](const Format& format)
     { return format.suffix == suffix && format.keepsPicture; });
+}
+
+TurnFilm turnFilmAsked(QWidget* parent, const QString& name)
+{
+  QSettings settings;
+  TurnFilm film;
+  bool isWanted = false;
+  film.frames = QInputDialog::getInt(parent,
+    ExportTexts::tr("Turntable"),
+    ExportTexts::tr("&Pictures of one turn (24 are a second of film)"),
+    settings.value("turntable/frames", oversketch_files::framesOfTurn).toInt(),
+    2,
+    oversketch_files::mostFramesOfTurn,
+    1,
+    &isWanted);
+  if (!isWanted)
+  {
+    return {};
+  }
+  const QString one = ExportTexts::tr("Film (*.ogv)"), many = ExportTexts::tr("Numbered pictures (*.png)");
+  const bool wasMany = settings.value("turntable/format").toString() == "png";
+  const QString folder =
+    settings.value("turntable/folder", QStandardPaths::writableLocation(QStandardPaths::PicturesLocation))
+      .toString();
+  QString filter = wasMany ? many : one;
+  film.path = QFileDialog::getSaveFileName(parent,
+    ExportTexts::tr("Save the model as it turns round"),
+    QDir(folder).filePath(name + (wasMany ? ".png" : ".ogv")),
+    one + ";;" + many,
+    &filter);
+  if (film.path.isEmpty())
+  {
+    return {};
+  }
+  QString suffix = QFileInfo(film.path).suffix().toLower();
+  const bool isNamed = suffix == "ogv" || suffix == "png";
+  if (!isNamed)
+  {
+    suffix = filter == many ? "png" : "ogv";
+    film.path += '.' + suffix;
+  }
+  const auto files = oversketch_files::filmFiles(film.path.toStdString(), film.frames);
+  const QString first = QString::fromStdString(files.front());
+  const bool isAsked = isNamed && first == film.path; // by the dialogue
+  if (!isAsked && !mayReplace(parent, first))
+  {
+    return {};
+  }
+  settings.setValue("turntable/frames", film.frames);
+  settings.setValue("turntable/format", suffix);
+  settings.setValue("turntable/folder", QFileInfo(film.path).absolutePath());
+  return film;
 }
 
 } // namespace oversketch_studio

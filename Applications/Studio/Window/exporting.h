@@ -1,4 +1,4 @@
-// Where an export goes: a name and a format, which are remembered.
+// Where an export or a film goes: a name and a format, which are remembered.
 #ifndef oversketch_applications_studio_window_exporting_h
 #define oversketch_applications_studio_window_exporting_h
 
@@ -15,6 +15,16 @@ namespace oversketch_studio
 QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture);
 // Whether a file of that format keeps a model's picture.
 bool keepsPicture(const QString& path);
+
+// Asks of how many frames a film of one turn is, and where it goes: as one file or as numbered pictures. The
+// path is empty where nobody wants it, and else has the suffix of a format; `name` without its suffix to
+// begin with.
+struct TurnFilm
+{
+  QString path;
+  int frames = 0;
+};
+TurnFilm turnFilmAsked(QWidget* parent, const QString& name);
 
 } // namespace oversketch_studio
 #endif

@@ -516,6 +516,7 @@ void MainWindow::refresh()
   this->Save->setEnabled(open);
   // A drawing without lines has no mesh.
   this->Export->setEnabled(open && (this->OpenDocument->result().mesh || this->OpenDocument->session().mesh));
+  this->Turntable->setEnabled(this->Export->isEnabled());
   this->setWindowModified(this->OpenDocument->isModified());
   this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->OpenDocument->name()) : tr("Oversketch"));
   if (!this->OpenDocument->isBusy())

@@ -115,6 +115,7 @@ private:
   // As one mesh; of it that part, or -1 all.
   void exportMeshes(const ExactResults& results, int part, const QString& name);
   void screenshot(bool lines);
+  void turntableAsked();
   // Whether what is not saved may be left.
   bool mayLeave();
 
@@ -197,8 +198,8 @@ private:
   QTimer* BusyTimer; // progress is shown for what takes longer than a moment
   QMenu *Recent = nullptr, *Examples = nullptr;
   OptionPresets* Presets = nullptr;
-  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Dark = nullptr,
-          *Region = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Turntable = nullptr,
+          *Dark = nullptr, *Region = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
   int Redrawn = -1;                        // the step that the next one replaces

@@ -403,6 +403,36 @@ void MainWindow::screenshot(bool lines)
   }
 }
 
+void MainWindow::turntableAsked()
+{
+  if (!this->View->mesh() || !this->mayBegin())
+  {
+    return;
+  }
+  if (this->OpenDocument->isBusy())
+  {
+    this->Advice->setText(tr("Wait until the model is computed: it would change in the film."));
+    return;
+  }
+  const TurnFilm film = turnFilmAsked(this, QFileInfo(this->OpenDocument->name()).completeBaseName());
+  if (film.path.isEmpty())
+  {
+    return;
+  }
+  bool isWritten = false;
+  this->tried(
+    [&]
+    {
+      WorkHere work(this, tr("Writing %1…").arg(QFileInfo(film.path).fileName()));
+      isWritten =
+        this->View->writeTurn(film.path, film.frames, [&work](double share) { return work.goesOn(share); });
+    });
+  if (isWritten)
+  {
+    this->Advice->setText(tr("Saved as %1.").arg(film.path));
+  }
+}
+
 bool MainWindow::mayLeave()
 {
   this->takeWhatIsTyped();

@@ -85,6 +85,7 @@ void MainWindow::makeMenus()
     tr("Save a picture with &lines…"),
     QKeySequence(tr("Shift+F12")),
     [this] { this->screenshot(true); });
+  this->Turntable = this->add(file, tr("&Turntable…"), {}, [this] { this->turntableAsked(); });
   file->addSeparator();
   file->addActions({ this->Scene->modelAdding(), this->Scene->pictureAdding() });
   file->addSeparator();

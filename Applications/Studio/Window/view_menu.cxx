@@ -58,9 +58,12 @@ ViewSettings ViewSettings::read()
   ViewSettings kept;
   const int shading = settings.value("view/shading", 0).toInt();
   kept.shading = shading > 0 && shading < shadings ? static_cast<Shading>(shading) : Shading::Smooth;
+  const int light = settings.value("view/light", 0).toInt();
+  kept.light = light > 0 && light < lights ? static_cast<Light>(light) : Light::Three;
   kept.parallel = settings.value("view/parallel", kept.parallel).toBool();
   kept.free = settings.value("view/free", kept.free).toBool();
   kept.ground = settings.value("view/ground", kept.ground).toBool();
+  kept.shadow = settings.value("view/shadow", kept.shadow).toBool();
   return kept;
 }
 
@@ -68,9 +71,11 @@ void ViewSettings::write() const
 {
   QSettings settings;
   settings.setValue("view/shading", static_cast<int>(this->shading));
+  settings.setValue("view/light", static_cast<int>(this->light));
   settings.setValue("view/parallel", this->parallel);
   settings.setValue("view/free", this->free);
   settings.setValue("view/ground", this->ground);
+  settings.setValue("view/shadow", this->shadow);
 }
 
 ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node, QWidget* parent)
@@ -86,7 +91,10 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
 {
   this->makeCamera();
   this->makeShadings();
+  this->makeLights();
   this->Ground = this->addToggle(tr("&Ground grid"), {}, [this](bool on) { this->Settings.ground = on; });
+  this->Shadow = this->addToggle(tr("Shado&w"), {}, [this](bool on) { this->Settings.shadow = on; });
+  this->Shadow->setToolTip(tr("What the model throws on the ground, soft as under a wide light above it"));
   this->Onion = this->addToggle(tr("&Onion of the original"), {}, [](bool) {});
   this->Onion->setIconText(tr("Onion"));
   this->Onion->setToolTip(tr("The model as it was opened, through the present one"));
@@ -127,6 +135,8 @@ ViewMenu::ViewMenu(Viewport* view, Document* document, std::function<int()> node
   this->Parallel->setChecked(this->Settings.parallel);
   this->Free->setChecked(this->Settings.free);
   this->Ground->setChecked(this->Settings.ground);
+  this->Shadow->setChecked(this->Settings.shadow);
+  this->Lights[static_cast<int>(this->Settings.light)]->setChecked(true);
   this->Shadings[static_cast<int>(this->Settings.shading)]->setChecked(true);
   this->apply();
   this->refresh();
@@ -226,6 +236,28 @@ void ViewMenu::makeShadings()
   }
 }
 
+void ViewMenu::makeLights()
+{
+  const struct
+  {
+    QString text, help;
+  } all[lights] = { { tr("Lit by &three lights"), tr("From above, from below and from behind") },
+    { tr("Lit by a &headlight"), tr("From where you look") },
+    { tr("Lit as a &ball of plaster (matcap)"),
+      tr("By the way the surface faces alone, in the colours and pictures that it wears") } };
+  auto* group = new QActionGroup(this);
+  this->Model->addSeparator();
+  for (int i = 0; i < lights; ++i)
+  {
+    QAction* action =
+      this->addToggle(all[i].text, {}, [this, i](bool) { this->Settings.light = static_cast<Light>(i); });
+    action->setToolTip(all[i].help);
+    group->addAction(action);
+    this->Model->addAction(action);
+    this->Lights << action;
+  }
+}
+
 void ViewMenu::setUpAxis(int axis)
 {
   this->UpZ->setChecked(axis == 2);
@@ -236,7 +268,7 @@ void ViewMenu::addTo(QMenu* menu)
 {
   menu->addMenu(this->Camera.get());
   menu->addMenu(this->Model.get());
-  menu->addActions({ this->Picture, this->Ground, this->Onion, this->Before });
+  menu->addActions({ this->Picture, this->Ground, this->Shadow, this->Onion, this->Before });
 }
 
 void ViewMenu::setDark(bool dark)
@@ -248,7 +280,9 @@ void ViewMenu::apply()
 {
   Display& display = this->View->display();
   display.setShading(this->Settings.shading, this->Picture->isChecked());
+  display.setLight(this->Settings.light);
   display.setGround(this->Settings.ground);
+  display.setShadow(this->Settings.shadow);
   this->View->camera()->SetOrbit(
     this->Settings.free ? vtkOversketchInteractorStyle::Trackball : vtkOversketchInteractorStyle::Turntable);
   this->setTexts();

@@ -1,4 +1,5 @@
-// How the model is looked at, in a menu and in a strip over the view: camera, shading, ground, what it was.
+// How the model is looked at, in a menu and in a strip over the view: camera, shading and
+// light, ground, what it was.
 #ifndef oversketch_applications_studio_window_view_menu_h
 #define oversketch_applications_studio_window_view_menu_h
 
@@ -26,9 +27,11 @@ class Viewport;
 struct ViewSettings
 {
   Shading shading = Shading::Smooth;
+  Light light = Light::Three;
   bool parallel = false; // orthographic
   bool free = false;     // turns as a ball does; else upright
   bool ground = false;
+  bool shadow = false;
 
   // Those that QSettings holds; what it cannot be counts as usual.
   static ViewSettings read();
@@ -61,6 +64,7 @@ protected:
 private:
   void makeCamera();
   void makeShadings();
+  void makeLights();
   QAction* addToggle(const QString& text, const QString& key, const std::function<void(bool)>& run);
   void apply();
   void setTexts();
@@ -74,8 +78,8 @@ private:
   std::function<int()> Node;
   ViewSettings Settings;
   std::unique_ptr<QMenu> Camera, Model;
-  QVector<QAction*> Shadings; // in their order
-  QAction *Parallel, *Free, *UpZ, *Picture, *Ground, *Onion, *Before;
+  QVector<QAction*> Shadings, Lights; // in their order
+  QAction *Parallel, *Free, *UpZ, *Picture, *Ground, *Shadow, *Onion, *Before;
   ViewBar* Bar;
   AxisGizmo* Gizmo;
   QLabel* Triangles;
