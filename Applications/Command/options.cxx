@@ -129,6 +129,19 @@ Option fileOption(std::string& place, const std::string& extension = {}, const s
     } };
 }
 
+Option filmOption(std::string& place)
+{
+  return { true,
+    [&place](const std::string& name, const std::string& value)
+    {
+      fileOption(place).take(name, value);
+      if (const std::string extension = extensionOf(value); extension != ".ogv" && extension != ".png")
+      {
+        throw BadUse(name + " writes an .ogv file or .png files, not '" + value + "'");
+      }
+    } };
+}
+
 int wholeNumber(const std::string& name, const std::string& value, const std::string& what, double most)
 {
   const std::vector<double> numbers = numbersOf(name, value);
@@ -162,7 +175,7 @@ OptionTable tableOf(Options& options)
   if (findInput(*options.system, SystemInput::Kind::Stroke))
   {
     table["--picture"] = fileOption(options.picture, ".png");
-    table["--turntable"] = fileOption(options.turntable);
+    table["--turntable"] = filmOption(options.turntable);
   }
   if (findInput(*options.system, SystemInput::Kind::Mesh))
   {

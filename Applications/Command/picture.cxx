@@ -464,11 +464,13 @@ void writeTurntable(vtkOversketchSystem* system,
   const auto frame = [&](int number)
   {
     throwIfInterrupted();
+    showProgress(double(number) / framesOfTurn, "turntable");
     actor->SetOrientation(0.0, 0.0, 0.0);
     actor->RotateWXYZ(-360.0 * number / framesOfTurn, axis[0], axis[1], axis[2]);
     return film.frame();
   };
   writeFilm(path, framesOfTurn, frame, files);
+  clearProgress();
 }
 
 } // namespace oversketch_command

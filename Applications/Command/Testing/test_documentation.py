@@ -10,7 +10,7 @@ PAGES = sorted((SOURCE / "Documentation").glob("*.md"))
 LINE = re.compile(r"^oversketch (\S+ .*\bData/.*)$", re.M)
 VERBS = {"one-stroke": "one-stroke", "augment": "augment", "terrain": "augment", "edit": "edit", "relax": "relax",
          "inflate": "drawings", "assemble": "drawings", "replay": "files"}
-OF_EVERY_COMMAND = {"--output", "--report", "--picture", "--backend", "--inner"}
+OF_EVERY_COMMAND = {"--output", "--report", "--picture", "--turntable", "--backend", "--inner"}
 
 
 def lines_of(page):

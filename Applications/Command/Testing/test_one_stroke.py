@@ -25,7 +25,7 @@ def test_help_and_version():
     assert text.returncode == 0 and "one-stroke" in text.stdout and text.stderr == ""
     text = run("one-stroke", "--help")
     assert text.returncode == 0 and text.stderr == ""
-    for option in ("--picture", "--report", "--backend", "--remesh", "--adjust-normals", "--as-published", "--inner", "--proxy-above"):
+    for option in ("--picture", "--turntable", "--report", "--backend", "--remesh", "--adjust-normals", "--as-published", "--inner", "--proxy-above"):
         assert option in text.stdout
     lines = run("--version").stdout.splitlines()
     assert [line.split()[0] for line in lines] == ["Oversketch", "VTK", "OpenCL", "Embree", "Build"]
@@ -43,6 +43,7 @@ def test_help_and_version():
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--backend", "cuda"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--proxy-above", "0"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--picture", "p.jpg"],
+    ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--turntable", "t.mp4"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--report", "r.txt"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--adjust-normals=yes"],
     ["one-stroke", "a.obj", "s.vtp", "-o", "o.obj", "--fast"],
@@ -163,6 +164,50 @@ def test_the_picture_shows_the_four_colours_from_the_strokes_view(folder, tmp_pa
     assert orange[row, column][facing & region].mean() > 0.7
     grey = (abs(r - g) < 12) & (abs(g - b) < 12) & (r < 225)
     assert grey[row, column][facing & ~region].mean() > 0.8
+
+
+def mask_of(path):
+    """Where a picture is no background, and how much of it is red as strokes are."""
+    from vtkmodules.vtkIOImage import vtkPNGReader
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(HEIGHT, WIDTH, -1).astype(int)
+    return pixels.min(2) < 225, ((pixels[..., 0] > 150) & (pixels[..., 1] < 70)).sum()
+
+
+def test_the_turntable_goes_round_once(folder, tmp_path):
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--turntable", tmp_path / "t.png", *QUICK)
+    assert done.returncode == 0, done.stderr
+    assert sorted(os.listdir(tmp_path)) == ["o.vtp"] + [f"t_{i:03d}.png" for i in range(1, 73)]
+    bounds = read(tmp_path / "o.vtp").GetBounds()
+    left, right = (WIDTH / 3 + PIXELS * x for x in bounds[:2])
+    # The limb is at the right, from behind at the left, and in between the body alone is as wide as it is deep.
+    for number, low, high in ((1, left, right), (37, left, right), (19, None, None)):
+        mask, red = mask_of(tmp_path / f"t_{number:03d}.png")
+        columns = numpy.flatnonzero(mask.any(0))
+        assert red == 0, "a stroke, which is of one view"
+        if low is not None:
+            assert abs(columns[0] - low) < 3 and abs(columns[-1] - high) < 3, (number, columns[0], columns[-1], low, high)
+            middle = int(0.5 * (low + high))
+            thick = mask[:, :middle].sum() - mask[:, middle:].sum()
+            assert (thick > 0) == (number == 1), "the body is thicker than the limb"
+        else:
+            assert columns[-1] - columns[0] < 0.8 * (right - left)
+
+
+def test_a_film_is_one_file(folder, tmp_path):
+    done = run("one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--turntable", tmp_path / "t.ogv", *QUICK)
+    assert done.returncode == 0, done.stderr
+    assert sorted(os.listdir(tmp_path)) == ["o.vtp", "t.ogv"]
+    film = (tmp_path / "t.ogv").read_bytes()
+    assert film.startswith(b"OggS") and 72 * 50 < len(film) < 72 * WIDTH * HEIGHT * 3
+
+
+def test_a_film_replaces_nothing_that_is_read_or_written(folder, tmp_path):
+    assert "would replace" in refuse(2, "one-stroke", folder / "body.vtp", folder / "longer.vtp", "-o", tmp_path / "o.vtp", "--picture",
+                                     tmp_path / "t_072.png", "--turntable", tmp_path / "t.png")
+    assert os.listdir(tmp_path) == []
 
 
 def test_a_picture_without_a_display_is_refused_before_any_work(folder, tmp_path):
