@@ -129,19 +129,6 @@ Option fileOption(std::string& place, const std::string& extension = {}, const s
     } };
 }
 
-Option filmOption(std::string& place)
-{
-  return { true,
-    [&place](const std::string& name, const std::string& value)
-    {
-      fileOption(place).take(name, value);
-      if (const std::string extension = extensionOf(value); extension != ".ogv" && extension != ".png")
-      {
-        throw BadUse(name + " writes an .ogv file or .png files, not '" + value + "'");
-      }
-    } };
-}
-
 int wholeNumber(const std::string& name, const std::string& value, const std::string& what, double most)
 {
   const std::vector<double> numbers = numbersOf(name, value);
@@ -175,7 +162,12 @@ OptionTable tableOf(Options& options)
   if (findInput(*options.system, SystemInput::Kind::Stroke))
   {
     table["--picture"] = fileOption(options.picture, ".png");
-    table["--turntable"] = filmOption(options.turntable);
+    table["--turntable"] = { true,
+      [&options](const std::string& name, const std::string& value)
+      {
+        const std::string extension = extensionOf(value) == ".png" ? ".png" : ".ogv";
+        fileOption(options.turntable, extension).take(name, value);
+      } };
   }
   if (findInput(*options.system, SystemInput::Kind::Mesh))
   {

@@ -6,7 +6,6 @@
 #include "vtkPNGWriter.h"
 
 #include <algorithm>
-#include <array>
 
 namespace oversketch_files
 {
@@ -26,32 +25,6 @@ struct Ended
   ~Ended() { this->writer->End(); }
 };
 
-[[noreturn]] void failFilm(const std::string& path)
-{
-  throw Failed(path + ": could not be written (is the disk full?)");
-}
-
-// Of the size of the first frame: a window may have been resized meanwhile.
-vtkSmartPointer<vtkImageData> nextFrame(const std::string& path,
-  int number,
-  const FrameMaker& frame,
-  std::array<int, 3>& size)
-{
-  vtkSmartPointer<vtkImageData> made = frame(number);
-  if (made)
-  {
-    std::array<int, 3> its{};
-    made->GetDimensions(its.data());
-    size = number == 0 ? its : size;
-    if (its != size)
-    {
-      throw Failed(
-        path + ": the view has another size than when the film began; leave its size as it is and try again");
-    }
-  }
-  return made;
-}
-
 } // namespace
 
 std::vector<std::string> filmFiles(const std::string& path, int frames)
@@ -63,15 +36,15 @@ std::vector<std::string> filmFiles(const std::string& path, int frames)
   }
   if (extension != ".png")
   {
-    throw Failed(path + ": no format of films; the name ends in one of " + filmExtensions);
+    throw Failed(path + ": no format of films; end the name in .ogv or .png");
   }
-  const std::string stem = path.substr(0, path.size() - extension.size());
+  const std::size_t stem = path.size() - extension.size();
   std::vector<std::string> paths;
   for (int i = 1; i <= frames; ++i)
   {
     const std::string number = std::to_string(i);
-    paths.push_back(stem + '_' + std::string(leastDigits - std::min(leastDigits, number.size()), '0') +
-                    number + path.substr(stem.size()));
+    const std::string zeros(leastDigits - std::min(leastDigits, number.size()), '0');
+    paths.push_back(path.substr(0, stem) + '_' + zeros + number + path.substr(stem));
   }
   return paths;
 }
@@ -79,21 +52,16 @@ std::vector<std::string> filmFiles(const std::string& path, int frames)
 bool writeFilm(const std::string& path, int frames, const FrameMaker& frame, NewFiles& files)
 {
   const std::vector<std::string> paths = filmFiles(path, frames);
-  std::array<int, 3> size{};
-  vtkSmartPointer<vtkImageData> made = nextFrame(path, 0, frame, size);
   int done = 0;
-  const auto next = [&] { made = ++done < frames ? nextFrame(path, done, frame, size) : nullptr; };
-  if (extensionOf(path) != ogg)
+  vtkSmartPointer<vtkImageData> made = frame(0);
+  const auto next = [&] { made = ++done < frames ? frame(done) : nullptr; };
+  for (; made && extensionOf(path) != ogg; next())
   {
-    for (; made; next())
-    {
-      writePng(paths[static_cast<std::size_t>(done)], made, files);
-    }
-    return done == frames;
+    writePng(paths[static_cast<std::size_t>(done)], made, files);
   }
   if (!made)
   {
-    return false;
+    return done == frames;
   }
   files.write(path,
     [&](const std::string& temporary)
@@ -111,9 +79,11 @@ bool writeFilm(const std::string& path, int frames, const FrameMaker& frame, New
           writer->Write();
         }
       }
-      if (writer->GetError() != 0)
+      if (const int error = writer->GetError())
       {
-        failFilm(path);
+        throw Failed(path +
+                     ": could not be written (is the disk full, or was the view made larger or smaller?): " +
+                     vtkGenericMovieWriter::GetStringFromErrorCode(static_cast<unsigned long>(error)));
       }
     });
   return done == frames;
@@ -130,7 +100,7 @@ void writePng(const std::string& path, vtkImageData* picture, NewFiles& files)
       writer->Write();
       if (writer->GetErrorCode() != vtkErrorCode::NoError)
       {
-        failFilm(path);
+        throw Failed(path + ": could not be written (is the disk full?)");
       }
     });
 }

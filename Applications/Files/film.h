@@ -14,12 +14,10 @@
 namespace oversketch_files
 {
 
-// Formats of films, the usual one first: Ogg Theora, and numbered pictures.
-constexpr const char* filmExtensions = ".ogv .png";
-constexpr int framesOfTurn = 72, mostFramesOfTurn = 999; // the usual number, 3 seconds; the highest
+constexpr int framesOfTurn = 72, mostFramesOfTurn = 999; // the usual number, 3 seconds of film; the highest
 
-// Files of a film of so many frames: the path itself of `.ogv`, NAME_001.png and so on of `.png`. Throws
-// Failed for other extensions.
+// Files of a film of so many frames: the path itself of `.ogv` (Ogg Theora), NAME_001.png and so on of
+// `.png`. Throws Failed for other extensions.
 std::vector<std::string> filmFiles(const std::string& path, int frames);
 
 // Makes a frame, of three bytes a pixel; frames are asked for once each and in their order. Null gives the

@@ -6,6 +6,8 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkLight.h"
+#include "vtkLightKit.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -23,7 +25,8 @@ namespace
 {
 
 constexpr int square[2] = { 1, 1 };
-constexpr double across = 10.0; // lines for the model's width, about
+constexpr double across = 10.0;        // lines for the model's width, about
+constexpr double headIntensity = 0.86; // white with a model's shine is then just below white
 
 // 1, 2 or 5 times a power of ten.
 double roundNumber(double about)
@@ -60,6 +63,11 @@ Display::Display(vtkRenderer* renderer, ModelView& model)
     actor->PickableOff();
     renderer->AddActor(actor);
   };
+  this->Kit->SetKeyLightWarmth(0.55);
+  this->Kit->SetKeyToFillRatio(2.5);
+  this->Head->SetLightTypeToHeadlight();
+  this->Head->SetIntensity(headIntensity);
+  this->setLight(Light::Three);
   addLines(this->Lines, this->LineActor);
   addLines(this->Middle, this->MiddleActor);
   this->showGround(false);
@@ -165,7 +173,9 @@ void Display::setLook(const ModelLook& look)
 
 void Display::setLight(Light light)
 {
-  this->Lights.set(light);
+  this->Renderer->RemoveAllLights();
+  light == Light::Head ? this->Renderer->AddLight(this->Head)
+                       : this->Kit->AddLightsToRenderer(this->Renderer);
   this->setLook({ this->Look.shading, light, this->Look.pictures, this->Look.plain });
 }
 

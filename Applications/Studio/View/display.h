@@ -4,7 +4,6 @@
 #define oversketch_applications_studio_view_display_h
 
 #include "ground_shadow.h"
-#include "lamps.h"
 #include "model_view.h"
 #include "resting_views.h"
 
@@ -15,6 +14,8 @@
 #include <memory>
 
 class vtkActor;
+class vtkLight;
+class vtkLightKit;
 class vtkPolyData;
 class vtkPolyDataMapper;
 class vtkRenderer;
@@ -77,7 +78,8 @@ private:
   vtkRenderer* Renderer; // outlives it
   ModelView& Model;
   RestingViews Others{ this->Renderer };
-  Lamps Lights{ this->Renderer };
+  vtkNew<vtkLightKit> Kit;
+  vtkNew<vtkLight> Head; // instead of those
   GroundShadow Shadow{ this->Renderer };
   vtkNew<vtkPolyData> Lines, Middle; // on the ground, a round number apart; the middle ones: along x and z
   vtkNew<vtkActor> LineActor, MiddleActor;

@@ -30,31 +30,31 @@ namespace oversketch_studio
 namespace
 {
 
-constexpr int side = 256;       // px of the picture
-constexpr double margin = 0.25; // of the models' width, on each side, for what is blurred
-constexpr double near = 0.12;   // of the models' height: what is lower touches the ground, nearly
+constexpr int shadowSide = 256;       // px of the picture
+constexpr double shadowMargin = 0.25; // of the models' width, on each side, for what is blurred
+constexpr double shadowNear = 0.12;   // of the models' height: what is lower touches the ground, nearly
 constexpr double nearBlur = 3.0, farBlur = 12.0;  // px
 constexpr double nearDark = 0.45, farDark = 0.35; // alpha
-constexpr double below = 0.35;                    // of the darkness, seen from below
+constexpr double fromBelow = 0.35;                // of the darkness, seen from below
 // Faces of a mesh that are drawn: of a larger one each second, third, …, each much smaller than a pixel.
 constexpr vtkIdType mostFaces = 400'000;
 
 // Where the models stand: the corner of a square of the ground, and how high they are above it.
-struct Square
+struct Stand
 {
   std::array<int, 2> axes{}; // that lie in the ground
   std::array<double, 2> low{};
   double width = 0.0, height = 0.0;
 };
 
-Square squareOf(const vtkBoundingBox& box, int up, double ground)
+Stand standOf(const vtkBoundingBox& box, int up, double ground)
 {
-  Square square;
+  Stand square;
   square.axes = { 0, 3 - up };
   const double* low = box.GetMinPoint();
   const double* high = box.GetMaxPoint();
   const auto across = [&](int axis) { return high[axis] - low[axis]; };
-  square.width = (1.0 + 2.0 * margin) * std::max(across(0), across(3 - up));
+  square.width = (1.0 + 2.0 * shadowMargin) * std::max(across(0), across(3 - up));
   for (std::size_t i = 0; i < 2; ++i)
   {
     const int axis = square.axes[i];
@@ -64,12 +64,12 @@ Square squareOf(const vtkBoundingBox& box, int up, double ground)
   return square;
 }
 
-// Draws what a mesh covers of the square, and what its low parts do. Faces within two pixels each way, nearly
-// all of a fine mesh, are drawn by their corners, which takes a tenth of the time.
-void project(vtkPolyData* mesh, const Square& square, int up, double ground, cv::Mat& all, cv::Mat& low)
+// Draws what a mesh covers of the square, and what its low parts do. Faces of a pixel or two, nearly all of a
+// fine mesh, are drawn by their corners, which takes less time.
+void project(vtkPolyData* mesh, const Stand& square, int up, double ground, cv::Mat& all, cv::Mat& low)
 {
-  const double scale = side / square.width;
-  const double touching = ground + near * square.height;
+  const double scale = shadowSide / square.width;
+  const double touching = ground + shadowNear * square.height;
   const vtkIdType step = 1 + mesh->GetNumberOfPolys() / mostFaces;
   const auto faces = vtk::TakeSmartPointer(mesh->GetPolys()->NewIterator());
   std::vector<cv::Point> corners;
@@ -81,6 +81,7 @@ void project(vtkPolyData* mesh, const Square& square, int up, double ground, cv:
     faces->GetCurrentCell(count, points);
     corners.clear();
     double lowest = VTK_DOUBLE_MAX;
+    bool isTiny = true;
     for (vtkIdType i = 0; i < count; ++i)
     {
       double place[3];
@@ -88,20 +89,13 @@ void project(vtkPolyData* mesh, const Square& square, int up, double ground, cv:
       const auto pixel = [&](std::size_t axis)
       {
         const double at = scale * (place[square.axes[axis]] - square.low[axis]);
-        return std::clamp(static_cast<int>(at), 0, side - 1);
+        return std::clamp(static_cast<int>(at), 0, shadowSide - 1);
       };
       corners.emplace_back(pixel(0), pixel(1));
       lowest = std::min(lowest, place[up]);
+      const cv::Point across = corners.back() - corners.front();
+      isTiny = isTiny && std::abs(across.x) < 2 && std::abs(across.y) < 2;
     }
-    const bool isTiny = std::all_of(corners.begin(),
-      corners.end(),
-      [&](const cv::Point& one)
-      {
-        return std::all_of(corners.begin(),
-          corners.end(),
-          [&](const cv::Point& other)
-          { return std::abs(one.x - other.x) < 2 && std::abs(one.y - other.y) < 2; });
-      });
     for (cv::Mat* picture : { &all, lowest < touching ? &low : nullptr })
     {
       if (picture && isTiny)
@@ -124,7 +118,7 @@ void project(vtkPolyData* mesh, const Square& square, int up, double ground, cv:
 GroundShadow::GroundShadow(vtkRenderer* renderer)
   : Renderer(renderer)
 {
-  this->Picture->SetDimensions(side, side, 1);
+  this->Picture->SetDimensions(shadowSide, shadowSide, 1);
   this->Picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   this->Texture->SetInputData(this->Picture);
   this->Texture->SetColorModeToDirectScalars();
@@ -175,14 +169,14 @@ void GroundShadow::cast(const std::vector<vtkPolyData*>& meshes)
   }
   this->Stale = false;
   this->Of = std::move(of);
-  const bool isSeen = box.IsValid() && box.GetMaxLength() > 0.0 && std::isfinite(box.GetMaxLength());
+  const Stand square = box.IsValid() ? standOf(box, this->Up, this->Height) : Stand();
+  const bool isSeen = square.width > 0.0 && std::isfinite(square.width);
   this->Actor->SetVisibility(isSeen);
   if (!isSeen)
   {
     return;
   }
-  const Square square = squareOf(box, this->Up, this->Height);
-  cv::Mat all = cv::Mat::zeros(side, side, CV_8U), low = all.clone();
+  cv::Mat all = cv::Mat::zeros(shadowSide, shadowSide, CV_8U), low = all.clone();
   for (const auto& [mesh, time] : this->Of)
   {
     project(mesh, square, this->Up, this->Height, all, low);
@@ -190,7 +184,7 @@ void GroundShadow::cast(const std::vector<vtkPolyData*>& meshes)
   cv::GaussianBlur(all, all, {}, farBlur, farBlur, cv::BORDER_CONSTANT);
   cv::GaussianBlur(low, low, {}, nearBlur, nearBlur, cv::BORDER_CONSTANT);
   auto* pixels = static_cast<unsigned char*>(this->Picture->GetScalarPointer());
-  for (int i = 0; i < side * side; ++i)
+  for (int i = 0; i < shadowSide * shadowSide; ++i)
   {
     std::fill_n(pixels + 4 * i, 3, static_cast<unsigned char>(0));
     const double dark = farDark * all.data[i] + nearDark * low.data[i];
@@ -218,7 +212,7 @@ void GroundShadow::look()
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const bool isAbove = camera->GetParallelProjection() ? camera->GetDirectionOfProjection()[this->Up] < 0.0
                                                        : camera->GetPosition()[this->Up] > this->Height;
-  this->Actor->GetProperty()->SetOpacity(isAbove ? 1.0 : below);
+  this->Actor->GetProperty()->SetOpacity(isAbove ? 1.0 : fromBelow);
 }
 
 } // namespace oversketch_studio

@@ -125,13 +125,12 @@ bool keepsPicture(const QString& path)
 
 TurnFilm turnFilmAsked(QWidget* parent, const QString& name)
 {
-  QSettings settings;
   TurnFilm film;
   bool isWanted = false;
   film.frames = QInputDialog::getInt(parent,
     ExportTexts::tr("Turntable"),
     ExportTexts::tr("&Pictures of one turn (24 are a second of film)"),
-    settings.value("turntable/frames", oversketch_files::framesOfTurn).toInt(),
+    oversketch_files::framesOfTurn,
     2,
     oversketch_files::mostFramesOfTurn,
     1,
@@ -140,38 +139,31 @@ TurnFilm turnFilmAsked(QWidget* parent, const QString& name)
   {
     return {};
   }
+  QSettings settings;
+  const QString pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
   const QString one = ExportTexts::tr("Film (*.ogv)"), many = ExportTexts::tr("Numbered pictures (*.png)");
-  const bool wasMany = settings.value("turntable/format").toString() == "png";
-  const QString folder =
-    settings.value("turntable/folder", QStandardPaths::writableLocation(QStandardPaths::PicturesLocation))
-      .toString();
-  QString filter = wasMany ? many : one;
+  QString filter = one;
   film.path = QFileDialog::getSaveFileName(parent,
     ExportTexts::tr("Save the model as it turns round"),
-    QDir(folder).filePath(name + (wasMany ? ".png" : ".ogv")),
+    QDir(settings.value("turntableFolder", pictures).toString()).filePath(name),
     one + ";;" + many,
     &filter);
   if (film.path.isEmpty())
   {
     return {};
   }
-  QString suffix = QFileInfo(film.path).suffix().toLower();
-  const bool isNamed = suffix == "ogv" || suffix == "png";
-  if (!isNamed)
+  const QString named = film.path, suffix = QFileInfo(named).suffix().toLower();
+  if (suffix != "ogv" && suffix != "png")
   {
-    suffix = filter == many ? "png" : "ogv";
-    film.path += '.' + suffix;
+    film.path += filter == many ? ".png" : ".ogv";
   }
   const auto files = oversketch_files::filmFiles(film.path.toStdString(), film.frames);
   const QString first = QString::fromStdString(files.front());
-  const bool isAsked = isNamed && first == film.path; // by the dialogue
-  if (!isAsked && !mayReplace(parent, first))
+  if (first != named && !mayReplace(parent, first)) // the dialogue has asked about another name
   {
     return {};
   }
-  settings.setValue("turntable/frames", film.frames);
-  settings.setValue("turntable/format", suffix);
-  settings.setValue("turntable/folder", QFileInfo(film.path).absolutePath());
+  settings.setValue("turntableFolder", QFileInfo(film.path).absolutePath());
   return film;
 }
 
