@@ -70,6 +70,7 @@ bool writeFilm(const std::string& path, int frames, const FrameMaker& frame, New
       writer->SetFileName(temporary.c_str());
       writer->SetRate(frameRate);
       writer->SetQuality(bestQuality);
+      writer->SetInputData(made);
       writer->Start();
       {
         const Ended ended{ writer };
@@ -79,11 +80,10 @@ bool writeFilm(const std::string& path, int frames, const FrameMaker& frame, New
           writer->Write();
         }
       }
-      if (const int error = writer->GetError())
+      if (writer->GetError() != 0)
       {
-        throw Failed(path +
-                     ": could not be written (is the disk full, or was the view made larger or smaller?): " +
-                     vtkGenericMovieWriter::GetStringFromErrorCode(static_cast<unsigned long>(error)));
+        throw Failed(
+          path + ": could not be written (is the disk full, or was the view made larger or smaller?)");
       }
     });
   return done == frames;

@@ -145,7 +145,7 @@ TEST(Turntable, AFilmIsOneFile)
   const QByteArray bytes = film.readAll();
   EXPECT_TRUE(bytes.startsWith("OggS"));
   EXPECT_TRUE(bytes.contains("theora"));
-  EXPECT_GT(bytes.size(), 24 * 100);
+  EXPECT_GT(bytes.size(), 6000) << "has no frames: heads alone are 3,400 bytes";
   EXPECT_LT(bytes.size(), 24 * 200 * 160 * 3) << "is not compressed";
 }
 
