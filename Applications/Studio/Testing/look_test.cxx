@@ -1,4 +1,5 @@
 // Lights and the shadow on the ground, on balls.
+#include "point_normals.h"
 #include "viewport.h"
 
 #include "Harness/polydata.h"
@@ -30,7 +31,7 @@ constexpr int lookSide = 240; // px
 
 vtkSmartPointer<vtkPolyData> lookBall()
 {
-  return oversketch_test::toPolyData(oversketch_test::icosphere(4));
+  return oversketch_files::withPointNormals(oversketch_test::toPolyData(oversketch_test::icosphere(4)));
 }
 
 // A ball, white or as it is coloured, in a view of its own.
@@ -195,7 +196,7 @@ TEST(Look, AMatcapDependsOnHowTheSurfaceFacesAlone)
   {
     inside->GetPolys()->ReverseCellAtId(face);
   }
-  LookAt turned(inside);
+  LookAt turned(oversketch_files::withPointNormals(inside));
   EXPECT_LT(differingOverBall(turned.lit(Light::Matcap), plaster, 60), 80);
 }
 
