@@ -4,6 +4,7 @@
 #include "focus_frame.h"
 #include "history_panel.h"
 #include "latency.h"
+#include "lesson.h"
 #include "looks.h"
 #include "option_presets.h"
 #include "scene_panel.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow(QWidget* parent)
       this))
   , Lines(new StrokeLines(this->View))
   , Advice(new AdviceLabel(this))
+  , Teacher(new LessonPlayer(this->OpenDocument, this))
   , Anyway(new QPushButton(this))
   , Mode(new QLabel(this))
   , Progress(new QProgressBar(this))

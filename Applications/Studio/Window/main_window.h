@@ -33,6 +33,8 @@ namespace oversketch_studio
 class AdviceLabel;
 struct Example;
 class HistoryPanel;
+struct Lesson;
+class LessonPlayer;
 class OptionPresets;
 class ScenePanel;
 class StrokeLines;
@@ -99,6 +101,8 @@ private:
       [made, read] { *made = read(); },
       [&made, &then] { then(std::move(**made)); });
   }
+  // Begins a drawing over a picture, or on an empty canvas where there is none.
+  bool beginDrawing(const QString& picture);
   // Shows what is read, instead of what is there.
   bool openRead(const QString& name, const std::function<Document::Opened()>& read);
   bool openFile(const QString& path);
@@ -148,6 +152,7 @@ private:
   void offerAnyway(int row, const std::string& property);
   void teach();
   void stopTeaching();
+  void playLesson(const Lesson& lesson);
 
   void listenToDocument();
   void listenToPanels();
@@ -191,6 +196,7 @@ private:
   QToolBar* Strip = nullptr;
   QStackedWidget* Options = nullptr; // of the tools, in their order
   AdviceLabel* Advice;
+  LessonPlayer* Teacher;
   QPushButton* Anyway; // does what a message asks for
   QLabel* Mode;
   QProgressBar* Progress;

@@ -2,7 +2,9 @@
 // asked for.
 #include "main_window.h"
 
+#include "drawing_pad.h"
 #include "history_panel.h"
+#include "lesson.h"
 #include "message_text.h"
 #include "status_labels.h"
 #include "system_strings.h"
@@ -46,6 +48,23 @@ void MainWindow::stopTeaching()
 {
   this->ShowsHints = false;
   this->View->showHint({});
+}
+
+// A hand draws by itself on the lesson's example, and then the learner does.
+void MainWindow::playLesson(const Lesson& lesson)
+{
+  const bool opened = lesson.example.file.isEmpty() ? this->beginDrawing(lesson.example.picture)
+                                                    : this->openExample(lesson.example);
+  const auto draws = [&](const Tool* tool) { return tool->system() == lesson.system; };
+  const auto tool = std::find_if(this->Tools.begin(), this->Tools.end(), draws);
+  if (!opened || tool == this->Tools.end())
+  {
+    return;
+  }
+  this->setTool(*tool);
+  const QWidget* canvas = this->Canvases[this->Tools.indexOf(*tool)];
+  auto* pad = canvas ? canvas->findChild<DrawingPad*>() : nullptr;
+  this->tried([&] { this->Teacher->play(lesson, pad ? static_cast<FrameView*>(pad) : this->View); });
 }
 
 // Takes what a new result has to say: of the last step; else of another that has something new.
@@ -139,6 +158,11 @@ void MainWindow::advise()
 {
   this->teach();
   this->Anyway->hide();
+  if (this->Teacher->isPlaying())
+  {
+    this->Advice->setText(this->Teacher->words());
+    return;
+  }
   Tool::Situation situation;
   const Tool* tool = this->View->tool();
   const int own = tool->node(); // of which the tool speaks itself

@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "history_panel.h"
+#include "lesson.h"
 #include "option_presets.h"
 #include "options_stack.h"
 #include "resources.h"
@@ -123,6 +124,12 @@ void MainWindow::makeMenus()
   this->makeViewMenu();
 
   QMenu* help = this->menuBar()->addMenu(tr("&Help"));
+  QMenu* teaching = help->addMenu(tr("&Lessons"));
+  for (const Lesson& one : lessons())
+  {
+    this->add(teaching, one.title, {}, [this, one] { this->playLesson(one); });
+  }
+  teaching->menuAction()->setVisible(!teaching->isEmpty());
   this->add(help,
     tr("&Keys of the tool"),
     QKeySequence(tr("F1")),
@@ -265,6 +272,15 @@ void MainWindow::makeStatus()
   this->Progress->hide();
   this->Cancel->hide();
   this->statusBar()->addWidget(this->Advice, 1);
+  connect(this->Teacher, &LessonPlayer::says, this, &MainWindow::advise);
+  connect(this->Teacher,
+    &LessonPlayer::ended,
+    this,
+    [this](bool whole)
+    {
+      this->ShowsHints = whole;
+      this->advise();
+    });
   this->Anyway->setObjectName("anyway");
   this->Anyway->setFocusPolicy(Qt::TabFocus); // a click leaves the keys with the view
   this->Anyway->hide();

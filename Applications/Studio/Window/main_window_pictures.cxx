@@ -18,25 +18,31 @@ using namespace oversketch_session;
 
 bool MainWindow::openPicture(const QString& path)
 {
+  const bool opened = this->beginDrawing(path);
+  if (opened && !path.isEmpty())
+  {
+    QSettings().setValue("folder", QFileInfo(path).absolutePath());
+  }
+  return opened;
+}
+
+bool MainWindow::beginDrawing(const QString& picture)
+{
   if (!this->mayBegin())
   {
     return false;
   }
   bool opened = false;
-  const QString name = QFileInfo(path).fileName();
+  const QString name = QFileInfo(picture).fileName();
   const auto mayLeave = [this] { return this->mayLeave(); };
-  path.isEmpty() ? this->tried([&] { opened = this->OpenDocument->beginDrawing(mayLeave); })
-                 : this->readAside(
-                     name,
-                     [path] { return Document::readDrawing(path); },
-                     [&](const Document::ReadDrawing& read)
-                     { opened = this->OpenDocument->beginDrawing(read.step, name, mayLeave); });
+  picture.isEmpty() ? this->tried([&] { opened = this->OpenDocument->beginDrawing(mayLeave); })
+                    : this->readAside(
+                        name,
+                        [picture] { return Document::readDrawing(picture); },
+                        [&](const Document::ReadDrawing& read)
+                        { opened = this->OpenDocument->beginDrawing(read.step, name, mayLeave); });
   if (opened)
   {
-    if (!path.isEmpty())
-    {
-      QSettings().setValue("folder", QFileInfo(path).absolutePath());
-    }
     this->stopTeaching();
     this->Redrawn = -1;
   }
