@@ -210,6 +210,7 @@ void vtkOversketchAugment::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Sharpness: " << this->Sharpness << "\n";
   os << indent << "Profile: " << this->Profile << "\n";
   os << indent << "UsePressure: " << this->UsePressure << "\n";
+  os << indent << "Taper: " << this->Taper << "\n";
   os << indent << "Combine: " << this->Combine << "\n";
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "TargetEdgeLength: " << this->TargetEdgeLength << "\n";

@@ -124,6 +124,16 @@ public:
   vtkBooleanMacro(UsePressure, bool);
   ///@}
 
+  ///@{
+  /**
+   * Length at either end of a stroke over which width and height fall to nothing, so that it ends in a point;
+   * of a stroke shorter than two of it, half the stroke [model length, not negative; default 0: ends are
+   * round]. Closed strokes have no ends.
+   */
+  vtkSetMacro(Taper, double);
+  vtkGetMacro(Taper, double);
+  ///@}
+
   enum CombineType
   {
     Nearest = 0,
@@ -238,6 +248,7 @@ private:
   double Sharpness = 1.5;
   double TargetEdgeLength = 0.0;
   bool UsePressure = false;
+  double Taper = 0.0;
   bool OneByOne = false;
   bool Simplify = true;
   bool AsPublished = false;

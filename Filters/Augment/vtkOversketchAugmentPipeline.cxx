@@ -287,6 +287,7 @@ void vtkOversketchAugment::Pipeline::SetShape(vtkOversketchStellarDisplace* step
   step->SetSharpness(sharpness);
   step->SetProfile(profile.c_str());
   step->SetUsePressure(self->UsePressure);
+  step->SetTaper(self->Taper);
   step->SetCombine(self->AsPublished ? Sum : self->Combine);
   step->SetDistance(self->Distance);
 }
@@ -297,6 +298,7 @@ void vtkOversketchAugment::Pipeline::SetParameters()
   for (const auto& [value, name] : { std::make_pair(self->Radius, "Radius"),
          std::make_pair(self->Height, "Height"),
          std::make_pair(self->Sharpness, "Sharpness"),
+         std::make_pair(self->Taper, "Taper"),
          std::make_pair(self->TargetEdgeLength, "TargetEdgeLength") })
   {
     if (!std::isfinite(value))
@@ -492,8 +494,12 @@ void vtkOversketchAugment::Pipeline::PutCrest(vtkPolyData* crest)
     const FeatureCurve& curve = read[c];
     const double radius = curve.radius.value_or(this->PassRadius);
     const double height = this->Self->Height == 0.0 ? 0.5 * radius : this->Self->Height;
-    const FeaturePreview preview =
-      previewFeature(curve, radius, height, this->Self->UsePressure, sketch ? &sketches[c].points : nullptr);
+    const FeaturePreview preview = previewFeature(curve,
+      radius,
+      height,
+      this->Self->UsePressure,
+      this->Self->Taper,
+      sketch ? &sketches[c].points : nullptr);
     int part = 0;
     for (const std::vector<Vector3>* line : { &preview.crest, &preview.left, &preview.right })
     {

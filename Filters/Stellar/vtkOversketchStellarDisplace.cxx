@@ -93,6 +93,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
   vtkPolyData* sketch = step.third;
   Cache& cache = *this->Internals;
   RequireFinite(this->Height, "Height");
+  RequireFinite(this->Taper, "Taper");
   const std::vector<double> reach{
     this->Radius, static_cast<double>(this->Distance), static_cast<double>(this->ConnectedOnly)
   };
@@ -100,6 +101,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
   for (const double value : { this->Height,
          this->Sharpness,
          static_cast<double>(this->UsePressure),
+         this->Taper,
          static_cast<double>(this->Normals),
          static_cast<double>(this->Combine),
          static_cast<double>(this->HoldBack),
@@ -142,6 +144,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
       options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
       options.connectedOnly = this->ConnectedOnly;
       options.usePressure = this->UsePressure;
+      options.taper = this->Taper;
       options.holdBack = this->HoldBack;
       options.keepBaseNormals = this->KeepBaseNormals;
       options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
@@ -208,6 +211,7 @@ void vtkOversketchStellarDisplace::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Distance: " << this->Distance << "\n";
   os << indent << "ConnectedOnly: " << this->ConnectedOnly << "\n";
   os << indent << "UsePressure: " << this->UsePressure << "\n";
+  os << indent << "Taper: " << this->Taper << "\n";
   os << indent << "Normals: " << this->Normals << "\n";
   os << indent << "Combine: " << this->Combine << "\n";
   os << indent << "HoldBack: " << this->HoldBack << "\n";

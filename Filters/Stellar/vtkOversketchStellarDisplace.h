@@ -127,6 +127,16 @@ public:
   vtkBooleanMacro(UsePressure, bool);
   ///@}
 
+  ///@{
+  /**
+   * Length at either end of an open curve over which width and height fall to nothing, so that it ends in a
+   * point; of a curve shorter than two of it, half the curve [model length, not negative; default 0: ends are
+   * round].
+   */
+  vtkSetMacro(Taper, double);
+  vtkGetMacro(Taper, double);
+  ///@}
+
   enum NormalsType
   {
     Base = 0,
@@ -228,6 +238,7 @@ private:
   int Distance = Straight;
   bool ConnectedOnly = true;
   bool UsePressure = false;
+  double Taper = 0.0;
   int Normals = Base;
   int Combine = Nearest;
   bool HoldBack = true;

@@ -56,6 +56,17 @@ double FeatureCurve::pressureAt(double parameter) const
   return (1.0 - t) * this->pressure[segment] + t * this->pressure[this->segmentEnd(segment)];
 }
 
+double FeatureCurve::taperAt(double parameter, double taper) const
+{
+  const double whole = std::min(taper, 0.5 * this->length),
+               end = std::min(parameter, this->length - parameter);
+  if (this->closed || !(whole > 0.0) || end >= whole)
+  {
+    return 1.0;
+  }
+  return std::sin(0.5 * static_cast<double>(EIGEN_PI) * std::max(0.0, end) / whole);
+}
+
 std::vector<double> FeatureCurve::limits(bool up) const
 {
   std::vector<double> limits;

@@ -110,7 +110,13 @@ std::vector<Rise> risesOf(const Forest& forest,
     const FeatureCurve& curve = curves[k];
     for (const Reached& reach : reached.vertices[k])
     {
-      const double ratio = reach.distance / shapes[k].radius, feature = shapes[k].profile(ratio);
+      const double taper = curve.taperAt(reach.parameter, options.taper);
+      if (taper == 0.0)
+      {
+        continue;
+      }
+      const double ratio = reach.distance / (taper * shapes[k].radius),
+                   feature = taper * shapes[k].profile(ratio);
       Rise rise{ reach.vertex, ratio, feature };
       if (options.sketch)
       {

@@ -39,6 +39,7 @@ struct DisplaceOptions
   double sharpness = 1.5;         // s of Eq. 1, not negative; the curves' own go before it
   std::optional<Profile> profile; // in place of Eq. 1, for all curves
   bool usePressure = false;       // h times the pen's pressure at the nearest point
+  double taper = 0.0;             // [model length], see FeatureCurve::taperAt; 0: ends are round
   bool holdBack = true;           // heights end within the curves' room, see FeatureCurve::limits
   RiseAlong along = RiseAlong::Base;
   bool keepBaseNormals = false; // for the next stroke: what rises on a steep flank goes as that one went

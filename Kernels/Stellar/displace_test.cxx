@@ -328,6 +328,29 @@ TEST(Displace, CurvesHaveTheirOwnValues)
   }
 }
 
+TEST(Displace, TaperedLinesEndInPoints)
+{
+  const FeatureCurves curves{ featureCurve({ { -0.5, 0, 0 }, { 0.5, 0, 0 } }) };
+  Forest forest = flatField();
+  DisplaceOptions options = shapeOf(0.25, 0.2, 1.0);
+  options.taper = 0.25;
+  displace(forest, curves, options, Context());
+  int beyond = 0, within = 0;
+  for (const Forest::Vertex& v : forest.vertices)
+  {
+    const Vector3& p = v.position;
+    const double end = 0.5 - std::abs(p.x());
+    const double share = end >= 0.25 ? 1.0 : std::sin(2.0 * pi * std::max(0.0, end));
+    const double height =
+      share > 0.0 ? 0.2 * share * std::max(0.0, 1.0 - std::abs(p.y()) / (0.25 * share)) : 0.0;
+    EXPECT_NEAR(p.z(), height, 1e-14);
+    beyond += end < 0.0 && end > -0.25 && std::abs(p.y()) < 0.1;
+    within += height > 0.0 && share < 1.0;
+  }
+  EXPECT_GT(beyond, 10) << "a round end would reach them";
+  EXPECT_GT(within, 10);
+}
+
 TEST(Displace, PublishedNormalsAreThoseOfTheLeaves)
 {
   Forest forest = flatField();

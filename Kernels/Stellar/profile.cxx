@@ -39,6 +39,7 @@ FeaturePreview previewFeature(const FeatureCurve& curve,
   double radius,
   double height,
   bool usePressure,
+  double taper,
   const std::vector<Vector3>* sketch)
 {
   checkCurves({ curve });
@@ -60,11 +61,12 @@ FeaturePreview previewFeature(const FeatureCurve& curve,
     const Vector3 along =
       curve.points[last ? i : (i + 1) % count] - curve.points[first ? i : (i + count - 1) % count];
     const Vector3 normal = curve.normals.empty() ? Vector3::Zero() : curve.normals[i].normalized();
-    const Vector3 side = r * normal.cross(along).normalized();
+    const double share = curve.taperAt(curve.arc[i], taper);
+    const Vector3 side = share * r * normal.cross(along).normalized();
     const double pressure = usePressure && !curve.pressure.empty() ? curve.pressure[i] : 1.0;
     const double limit = limits.empty() ? std::numeric_limits<double>::infinity() : limits[i];
     const double height = std::clamp(pressure * h, -limit, limit);
-    preview.crest.push_back(sketch ? (*sketch)[i] : Vector3(p + height * normal));
+    preview.crest.push_back(p + share * (sketch ? Vector3((*sketch)[i] - p) : Vector3(height * normal)));
     preview.left.push_back(p + side);
     preview.right.push_back(p - side);
   }

@@ -40,12 +40,13 @@ struct FeaturePreview
 };
 
 // Takes the curve's own radius and height before those given [model length]. A point without a normal (the
-// curve has none, or it is zero) has its crest on the curve, and both feet too. `sketch`: as in
+// curve has none, or it is zero) has its crest on the curve, and both feet too. `taper` and `sketch`: as in
 // DisplaceOptions, of this curve. Throws Error(BadStroke) as displace does.
 FeaturePreview previewFeature(const FeatureCurve& curve,
   double radius,
   double height,
   bool usePressure = false,
+  double taper = 0.0,
   const std::vector<Vector3>* sketch = nullptr);
 
 } // namespace oversketch

@@ -98,7 +98,7 @@ TEST(Preview, StandsOnTheCurveAndEndsAtTheRadius)
   }
   curve.radius = 0.3;
   curve.height = -0.5;
-  const FeaturePreview own = previewFeature(curve, 0.1, 0.2, false, &ring);
+  const FeaturePreview own = previewFeature(curve, 0.1, 0.2, false, 0.0, &ring);
   EXPECT_NEAR(own.left[7].z(), 0.3, 1e-14);
   EXPECT_EQ(own.crest[7], ring[7]);
   EXPECT_LT((previewFeature(curve, 0.1, 0.2).crest[7] - 0.5 * ring[7]).norm(), 1e-14);
@@ -114,6 +114,12 @@ TEST(Preview, OpenBentAndBareCurves)
   EXPECT_LT((preview.left[0] - Vector3(0, 1, 0)).norm(), 1e-15);
   EXPECT_LT((preview.left[3] - Vector3(0, 2, 0)).norm(), 1e-15);
   EXPECT_EQ(preview.crest[3], Vector3(1, 2, 5));
+  // It ends in points, the longer way of which begins at the middle of so short a curve.
+  const FeaturePreview pointed = previewFeature(curve, 1.0, 5.0, false, 2.0);
+  EXPECT_EQ(pointed.crest[0], curve.points[0]);
+  EXPECT_LT((pointed.left[3] - curve.points[3]).norm(), 1e-15);
+  const double share = std::sin(0.5 * pi / 1.5);
+  EXPECT_LT((pointed.crest[1] - Vector3(1, 0, 5.0 * share)).norm(), 1e-14);
 }
 
 TEST(Preview, RefusesWhatDisplaceDoes)
