@@ -30,19 +30,21 @@ double difference(const cv::Vec3b& one, const cv::Vec3b& other)
   return std::hypot(light, one[1] - other[1], one[2] - other[2]);
 }
 
-// 255 where a pixel differs from the colour by no more.
-cv::Mat1b likeColour(const cv::Mat3b& lab, const cv::Vec3b& colour, double most, const Context& context)
+// How far pixels are from a colour, in halves of a unit of Lab.
+constexpr double halves = 2.0;
+
+cv::Mat1b differences(const cv::Mat3b& lab, const cv::Vec3b& colour, const Context& context)
 {
-  cv::Mat1b like(lab.size());
+  cv::Mat1b made(lab.size());
   context.each(lab.rows,
     [&](int y)
     {
       for (int x = 0; x < lab.cols; ++x)
       {
-        like(y, x) = difference(lab(y, x), colour) <= most ? 255 : 0;
+        made(y, x) = cv::saturate_cast<std::uint8_t>(halves * difference(lab(y, x), colour));
       }
     });
-  return like;
+  return made;
 }
 
 // An even ground at the picture's border: its colour, and how far its pixels differ from that.
@@ -98,7 +100,15 @@ Thing beforeGround(const cv::Mat3b& lab,
   const std::optional<cv::Point>& place,
   const Context& context)
 {
-  const cv::Mat1b like = likeColour(lab, ground.colour, std::max(6.0, 4.0 + 1.5 * ground.spread), context);
+  // Half way to the thing a shadow is ground; a thing that is pale in parts would lose them at more than
+  // `most`.
+  constexpr double least = 6.0, most = 25.0;
+  const cv::Mat1b differs = differences(lab, ground.colour, context);
+  cv::Mat1b split;
+  const double between =
+    cv::threshold(differs, split, 0.0, 255.0, cv::THRESH_BINARY | cv::THRESH_OTSU) / halves;
+  const double noise = std::max(least, 4.0 + 1.5 * ground.spread);
+  const cv::Mat1b like = differs <= halves * std::clamp(between, noise, std::max(noise, most));
   cv::Mat1b framed;
   cv::copyMakeBorder(like, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
   cv::floodFill(framed, { 0, 0 }, cv::Scalar(marked));
@@ -143,10 +153,11 @@ cv::Mat1b spotAt(const cv::Mat3b& lab, const cv::Point& place, const Context& co
     cv::saturate_cast<std::uint8_t>(mean[2]));
   const cv::Mat3b small = smaller(lab, reduced);
   const cv::Point at = inSmaller(place, lab, small);
+  const cv::Mat1b smallDiffers = differences(small, colour, context);
   std::vector<double> areas;
   for (int i = 1; i <= steps; ++i)
   {
-    cv::Mat1b like = likeColour(small, colour, step * i, context);
+    cv::Mat1b like = smallDiffers <= halves * step * i;
     areas.push_back(like(at) ? cv::floodFill(like, at, cv::Scalar(marked)) : 0);
   }
   double tolerance = 0.0, least = 1.0;
@@ -164,7 +175,7 @@ cv::Mat1b spotAt(const cv::Mat3b& lab, const cv::Point& place, const Context& co
   {
     return {};
   }
-  cv::Mat1b like = likeColour(lab, colour, tolerance, context);
+  cv::Mat1b like = differences(lab, colour, context) <= halves * tolerance;
   if (!like(place))
   {
     return {};
