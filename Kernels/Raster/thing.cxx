@@ -26,8 +26,9 @@ cv::Mat3b labOf(const cv::Mat3b& colours)
 
 double difference(const cv::Vec3b& one, const cv::Vec3b& other)
 {
-  const double light = (one[0] - other[0]) * (100.0 / 255.0);
-  return std::hypot(light, one[1] - other[1], one[2] - other[2]);
+  const double light = (one[0] - other[0]) * (100.0 / 255.0), red = one[1] - other[1],
+               yellow = one[2] - other[2];
+  return std::sqrt(light * light + red * red + yellow * yellow);
 }
 
 // How far pixels are from a colour, in halves of a unit of Lab.

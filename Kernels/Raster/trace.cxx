@@ -66,7 +66,11 @@ cv::Mat1b oneOf(const cv::Mat1b& mask, const std::optional<cv::Point>& place)
     const int area = statistics(i, cv::CC_STAT_AREA);
     chosen = chosen == 0 || area > statistics(chosen, cv::CC_STAT_AREA) ? i : chosen;
   }
-  return chosen > 0 ? cv::Mat1b(parts == chosen) : cv::Mat1b::zeros(mask.size());
+  if (chosen == 0)
+  {
+    return cv::Mat1b::zeros(mask.size());
+  }
+  return parts == chosen;
 }
 
 using Chain = std::vector<cv::Point>;
@@ -106,7 +110,7 @@ Polyline placed(const Chain& chain, bool isHole, const cv::Mat1b& cover)
   const int count = static_cast<int>(chain.size());
   const auto pixel = [&](int i)
   {
-    const cv::Point& at = chain[static_cast<std::size_t>((i + count) % count)];
+    const cv::Point& at = chain[static_cast<std::size_t>((i + side * count) % count)];
     return Vector2(at.x, at.y);
   };
   const double turn = (cv::contourArea(chain, true) < 0.0 ? -1.0 : 1.0) * (isHole ? -1.0 : 1.0);
@@ -144,7 +148,7 @@ Polyline smoothed(const Polyline& rim)
   for (int i = 0; i < count; ++i)
   {
     const Vector2 at = places[static_cast<std::size_t>(i)].of(rim);
-    even(0, i) = { at[0], at[1] };
+    even(0, i) = cv::Vec2d(at[0], at[1]);
   }
   const cv::Mat2d means = meansAlong(even), rest = meansAlong(even - means);
   Polyline result;
@@ -193,7 +197,7 @@ std::vector<TracedRim> rimsOf(const cv::Mat1b& mask, const cv::Mat1b& cover, dou
     if (!isHole || 2.0 * inside >= width * length)
     {
       const auto place = isHole ? rims.end() : rims.begin();
-      rims.insert(place, { drawnFrom(smoothed(placed(chains[i], isHole, cover))), isHole });
+      rims.insert(place, TracedRim{ drawnFrom(smoothed(placed(chains[i], isHole, cover))), isHole });
     }
   }
   return rims;
