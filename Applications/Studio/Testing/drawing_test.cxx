@@ -361,9 +361,14 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   EXPECT_TRUE(sheet.advice->text().contains("lose")) << sheet.advice->text().toStdString();
   sheet.document->undo();
   sheet.settle();
-  // A dot, and a click in nothing, are no lines.
-  sheet.line({ { 200, 200 }, { 200.4, 200 } });
-  sheet.click({ 30, 30 });
+  // A dot is no line but a click, which traces what is there; so does one in nothing.
+  for (const bool isDot : { true, false })
+  {
+    isDot ? sheet.line({ { 200, 200 }, { 200.4, 200 } }) : sheet.click({ 30, 30 });
+    EXPECT_EQ(sheet.strokes().size(), 1u);
+    sheet.document->undo();
+    sheet.settle();
+  }
   EXPECT_TRUE(sheet.strokes().empty());
   EXPECT_FALSE(sheet.document->canUndo());
   sheet.line(beast());
