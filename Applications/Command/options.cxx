@@ -69,7 +69,7 @@ std::string valueName(const Parameter& parameter)
 // Whether an option names it, and not its place on the command line.
 bool isOption(const SystemInput& input)
 {
-  return input.optional || input.byOption;
+  return (input.optional && input.madeBy.empty()) || input.byOption;
 }
 
 bool isLines(const SystemInput& input)
@@ -290,9 +290,10 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
   {
     for (const SystemInput& input : options.system->inputs)
     {
-      if (!isOption(input))
+      std::string& place = options.inputs[input.name];
+      if (!isOption(input) && (isNeeded(input, options.values) || files.size() > places.size()))
       {
-        places.push_back(&options.inputs[input.name]);
+        places.push_back(&place);
         wanted.push_back("a " + input.word);
       }
     }
@@ -410,7 +411,7 @@ std::vector<OptionText> optionsOf(const SystemRow& system)
   }
   for (const SystemInput& input : system.inputs)
   {
-    if (input.optional)
+    if (isOption(input) && !input.byOption)
     {
       options.push_back({ "--" + input.word, fileName(input), fileHelp(input) });
     }

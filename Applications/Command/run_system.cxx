@@ -186,8 +186,9 @@ void addPhrases(const Options& options, vtkPolyData* mesh, Values& values)
   }
 }
 
-// All strokes of a step, in the order of its inputs, that say the view that they were drawn in.
-vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step)
+// All strokes of a step, in the order of its inputs, that say the view that they were drawn in; without any
+// the outlines that were traced in their place.
+vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step, vtkOversketchSystem* system)
 {
   vtkNew<vtkAppendPolyData> all;
   all->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -198,6 +199,11 @@ vtkSmartPointer<vtkPolyData> strokesOf(const Options& options, const Step& step)
     {
       all->AddInputData(lines);
     }
+  }
+  vtkPolyData* traced = system->GetInnerOutput("Trace");
+  if (all->GetNumberOfInputConnections(0) == 0 && traced)
+  {
+    return traced;
   }
   all->Update();
   return all->GetNumberOfInputConnections(0) == 1 ? vtkPolyData::SafeDownCast(all->GetInputDataObject(0, 0))
@@ -353,7 +359,8 @@ void runSystem(const Options& options)
   }
   if (!options.picture.empty())
   {
-    writePicture(*options.system, system, strokesOf(options, *session.nodes[0].step), options.picture, files);
+    writePicture(
+      *options.system, system, strokesOf(options, *session.nodes[0].step, system), options.picture, files);
   }
   if (!options.turntable.empty())
   {

@@ -18,6 +18,8 @@
 #include "vtkOversketchProjectTexture.h"
 #include "vtkOversketchQuadMerge.h"
 #include "vtkOversketchResample.h"
+#include "vtkOversketchTrace.h"
+#include "vtkOversketchTraceTools.h"
 #include "vtkOversketchTreatment.h"
 #include "vtkOversketchTunnel.h"
 
@@ -30,8 +32,11 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -51,13 +56,15 @@ struct vtkOversketchInflateDrawing::Pipeline
   explicit Pipeline(vtkOversketchInflateDrawing* self);
 
   // Bring the inner inputs up to date; they change only where what the steps read has changed.
-  void FeedStrokes(vtkPolyData* strokes);
+  void FeedStrokes(vtkPolyData* strokes); // null: none
   void FeedPicture(vtkImageData* picture);
   void FeedBack(vtkImageData* picture);
   // Takes the steps that the parameters leave out of the way.
   void Connect();
   void SetAmendments(bool on);
 
+  // Outlines that Trace asks for, and the strokes.
+  vtkSmartPointer<vtkPolyData> WithTraced(vtkPolyData* strokes);
   void RunCurves();
   // Polyline to Refine, as often as parts of strokes are handed back. Returns how often.
   int RunMesh();
@@ -69,15 +76,27 @@ struct vtkOversketchInflateDrawing::Pipeline
   // Data that the inner pipeline starts from.
   vtkNew<vtkPolyData> Strokes;
   vtkNew<vtkImageData> Picture, Back;
-  std::pair<const vtkPolyData*, vtkMTimeType> StrokesSeen{ nullptr, 0 };
   std::pair<const vtkImageData*, vtkMTimeType> PictureSeen{ nullptr, 0 }, BackSeen{ nullptr, 0 };
-  bool MagneticSeen = false;
+  // What the inner strokes were made of; times of what is traced are 0 where nothing is.
+  using Source = std::tuple<const vtkPolyData*, vtkMTimeType, bool, std::string, vtkMTimeType, vtkMTimeType>;
+  Source SourceOf(vtkPolyData* strokes)
+  {
+    const bool traces = !this->Self->Trace.empty();
+    return { strokes,
+      strokes ? strokes->GetMTime() : 0,
+      this->Self->Magnetic,
+      this->Self->Trace,
+      traces ? this->Picture->GetMTime() : 0,
+      traces ? this->Trace->GetMTime() : 0 };
+  }
+  Source StrokesSeen{};
 
   // Splits that were handed back for the present curves, and what these and the steps are told apart by.
   vtkNew<vtkPolyData> Splits;
   std::vector<vtkMTimeType> MeshSeen;
   int MeshRebuilds = 0;
 
+  vtkNew<vtkOversketchTrace> Trace;
   vtkNew<vtkOversketchCanvas> Canvas;
   vtkNew<vtkOversketchMagneticSnap> Snap;
   vtkNew<vtkOversketchResample> Resample;
@@ -99,6 +118,7 @@ struct vtkOversketchInflateDrawing::Pipeline
 vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* self)
   : Self(self)
 {
+  this->Trace->SetInputData(0, this->Picture);
   this->Canvas->SetInputData(0, this->Strokes);
   this->Snap->SetInputConnection(0, this->Canvas->GetOutputPort());
   this->Snap->SetInputData(1, this->Picture);
@@ -124,8 +144,9 @@ vtkOversketchInflateDrawing::Pipeline::Pipeline(vtkOversketchInflateDrawing* sel
   this->Texture->SetInputConnection(0, this->Tunnel->GetOutputPort());
   this->Connect();
 
+  self->AddStage("Trace", this->Trace, 0.05);
   self->AddStage("Canvas", this->Canvas, 0.01);
-  self->AddStage("MagneticSnap", this->Snap, 0.15);
+  self->AddStage("MagneticSnap", this->Snap, 0.1);
   self->AddStage("Resample", this->Resample, 0.01);
   self->AddStage("Arrange", this->Arrange, 0.01);
   self->AddStage("Classify", this->Classify, 0.05);
@@ -162,20 +183,40 @@ void vtkOversketchInflateDrawing::Pipeline::Connect()
 
 void vtkOversketchInflateDrawing::Pipeline::FeedStrokes(vtkPolyData* strokes)
 {
-  const std::pair<const vtkPolyData*, vtkMTimeType> now{ strokes, strokes->GetMTime() };
-  if (now == this->StrokesSeen && this->MagneticSeen == this->Self->Magnetic)
+  if (this->SourceOf(strokes) == this->StrokesSeen)
   {
     return;
   }
-  this->StrokesSeen = now;
-  this->MagneticSeen = this->Self->Magnetic;
-  this->Strokes->ShallowCopy(strokes);
+  this->StrokesSeen = {}; // until they are made
+  const vtkSmartPointer<vtkPolyData> drawn = this->WithTraced(strokes);
+  this->Strokes->ShallowCopy(drawn);
   if (this->Self->Magnetic)
   {
-    const auto magnetic = NewArray<vtkIntArray>("Magnetic", 1, strokes->GetNumberOfCells());
+    const auto magnetic = NewArray<vtkIntArray>("Magnetic", 1, drawn->GetNumberOfCells());
     magnetic->FillValue(1);
     this->Strokes->GetCellData()->AddArray(magnetic);
   }
+  this->StrokesSeen = this->SourceOf(strokes);
+}
+
+vtkSmartPointer<vtkPolyData> vtkOversketchInflateDrawing::Pipeline::WithTraced(vtkPolyData* strokes)
+{
+  vtkSmartPointer<vtkPolyData> all = strokes;
+  const std::vector<Vector2> places = TracedPlaces(this->Self->Trace);
+  if (!places.empty() && !this->PictureSeen.first)
+  {
+    throw Error(Failure::BadStroke,
+      "{Trace} finds outlines in a picture, and there is none; give the picture, or draw the outlines.");
+  }
+  for (auto place = places.rbegin(); place != places.rend(); ++place) // each before what there is
+  {
+    this->Trace->SetPlace(place->x(), place->y());
+    this->Self->RunStage("Trace");
+    auto outlines = vtkSmartPointer<vtkPolyData>::New();
+    outlines->ShallowCopy(this->Self->StageOutput("Trace"));
+    all = all ? JoinedDrawings(outlines, all) : outlines;
+  }
+  return all;
 }
 
 void vtkOversketchInflateDrawing::Pipeline::FeedPicture(vtkImageData* picture)
@@ -328,6 +369,7 @@ vtkOversketchInflateDrawing::vtkOversketchInflateDrawing()
   : Inner(new Pipeline(this))
 {
   this->SetNumberOfInputPorts(3);
+  DeclareInput(this, 0, { Port::Optional });
   DeclareInput(this, 1, { Port::Image, Port::Optional });
   DeclareInput(this, 2, { Port::Image, Port::Optional });
 }
@@ -344,12 +386,18 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
     [&]
     {
       vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
-      if (strokes->GetNumberOfPoints() == 0)
+      const bool isDrawn = strokes && strokes->GetNumberOfPoints() > 0;
+      if (!isDrawn && this->Trace.empty())
       {
+        if (!strokes)
+        {
+          throw Error(Failure::BadStroke,
+            "There are no strokes; give a drawing, or a picture in which {Trace} finds outlines.");
+        }
         return;
       }
-      inner.FeedStrokes(strokes);
       inner.FeedPicture(vtkImageData::GetData(inputs[1]));
+      inner.FeedStrokes(isDrawn ? strokes : nullptr);
       inner.FeedBack(vtkImageData::GetData(inputs[2]));
       inner.RunCurves();
       const int rebuilds = inner.RunMesh();
@@ -436,6 +484,11 @@ void vtkOversketchInflateDrawing::SetTunnels(const char* strokes)
   this->Inner->Treatment->SetTunnels(strokes);
 }
 
+void vtkOversketchInflateDrawing::SetTrace(const char* places)
+{
+  SetText(this, this->Trace, places);
+}
+
 void vtkOversketchInflateDrawing::SetMagnetic(bool magnetic)
 {
   if (magnetic != this->Magnetic)
@@ -495,6 +548,7 @@ void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Poisson: " << this->Poisson << "\n";
   os << indent << "Holes: " << this->Holes << "\n";
   os << indent << "Tunnels: " << this->Tunnels << "\n";
+  os << indent << "Trace: " << this->Trace << "\n";
   os << indent << "Magnetic: " << this->Magnetic << "\n";
   os << indent << "Quads: " << this->Quads << "\n";
   os << indent << "Levels: " << this->Levels << "\n";

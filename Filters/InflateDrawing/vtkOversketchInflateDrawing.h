@@ -5,7 +5,7 @@
  * Source: "Image-Assisted Modeling from Sketches": outlines and features drawn on a canvas are classified, a
  * planar mesh is made whose edges lie on them, and it is inflated to both sides or extruded, with holes and
  * tunnels, and wears the picture. The whole is this one filter over those of the steps, in their order:
- * Canvas, MagneticSnap, Resample, Arrange, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh,
+ * Trace, Canvas, MagneticSnap, Resample, Arrange, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh,
  * QuadMerge, Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each
  * departs from the paper as its header says; AsPublished turns the departures off.
  *
@@ -13,8 +13,9 @@
  * more closely
  * ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it hands back none.
  *
- * Input 0 (Strokes): stroke polydata: polylines in display coordinates, each with its view, drawn over the
- * plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
+ * Input 0 (Strokes, optional): stroke polydata: polylines in display coordinates, each with its view, drawn
+ * over the plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
+ * Without Trace it must be there.
  * Input 1 (Picture, optional, vtkImageData): the picture that was drawn over. It gives the canvas, edges to
  * magnetic strokes, and texture coordinates their meaning.
  *
@@ -26,9 +27,11 @@
  * it: give a renderer the picture as a texture; the command and sessions put what it wears of it beside the
  * mesh.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where no
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where
+ * there are neither strokes nor Trace, for a Trace that is no list of places or has no picture, where no
  * stroke bounds an object, or a stroke still turns triangles over after 24 rebuilds, named with the place.
- * Strokes without points give an empty output silently. Strokes that are rejected are said in warnings.
+ * Strokes without points give an empty output silently, where nothing is traced. Strokes that are rejected
+ * are said in warnings.
  *
  * Deterministic: same result bit for bit for any number of threads, whatever was drawn before. What the steps
  * computed is kept by what they read: a further feature measures no distance anew, another profile makes no
@@ -102,6 +105,16 @@ public:
    */
   void SetTunnels(const char* strokes);
   const char* GetTunnels() const { return this->Tunnels.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Places of the picture at which vtkOversketchTrace finds outlines: "auto", which is its largest thing, or
+   * "x y" in px from its lower left corner, y up; several apart by commas, semicolons or spaces [default
+   * none]. The outlines come before the strokes, and are numbered so.
+   */
+  void SetTrace(const char* places);
+  const char* GetTrace() const { return this->Trace.c_str(); }
   ///@}
 
   ///@{
@@ -185,7 +198,7 @@ private:
   bool Arrange = false;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
-  std::string Profile, Holes, Tunnels;
+  std::string Profile, Holes, Tunnels, Trace;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;

@@ -95,6 +95,28 @@ std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least)
   return lines;
 }
 
+void WriteView(const View& view, vtkPolyData* strokes)
+{
+  const auto add = [&](vtkDataArray* array, const std::vector<double>& values)
+  {
+    for (vtkIdType cell = 0; cell < strokes->GetNumberOfCells(); ++cell)
+    {
+      array->InsertNextTuple(values.data());
+    }
+    strokes->GetCellData()->AddArray(array);
+  };
+  const auto rows = [](const Eigen::Matrix4d& m)
+  {
+    std::vector<double> values(16);
+    Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data()) = m;
+    return values;
+  };
+  add(NewArray<vtkDoubleArray>("ViewTransform", 16), rows(view.viewTransform()));
+  add(NewArray<vtkDoubleArray>("ProjectionTransform", 16), rows(view.projectionTransform()));
+  add(NewArray<vtkIntArray>("ViewportSize", 2),
+    { static_cast<double>(view.width()), static_cast<double>(view.height()) });
+}
+
 MeshKey CurvesKey(vtkPolyData* curves, const std::vector<const char*>& cellArrays)
 {
   std::vector<vtkDataArray*> arrays{ curves->GetFieldData()->GetArray("Canvas") };

@@ -42,6 +42,11 @@ struct DrawnLine
 OVERSKETCHFILTERSSTROKE_EXPORT std::vector<DrawnLine> ReadStrokes(vtkPolyData* strokes, int least = 2);
 
 /**
+ * Writes the view that all strokes are seen in: cell arrays ViewTransform, ProjectionTransform, ViewportSize.
+ */
+OVERSKETCHFILTERSSTROKE_EXPORT void WriteView(const View& view, vtkPolyData* strokes);
+
+/**
  * One of several strokes as a polydata of its own, with its samples' arrays, its own and the field arrays.
  */
 OVERSKETCHFILTERSSTROKE_EXPORT vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell);

@@ -1,13 +1,11 @@
 #include "vtkOversketchViewStroke.h"
 
+#include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIdList.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -56,27 +54,6 @@ Eigen::Matrix4d Projection(bool parallel, double scale, double angle, double asp
   m(2, 3) = -2.0 * far * near / (far - near);
   m(3, 2) = -1.0;
   return m;
-}
-
-// Array with one value for each cell.
-template <typename Array, typename Value>
-void AddCellArray(vtkPolyData* to, const char* name, const std::vector<Value>& values)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  for (vtkIdType cell = 0; cell < to->GetNumberOfCells(); ++cell)
-  {
-    array->InsertNextTypedTuple(values.data());
-  }
-  to->GetCellData()->AddArray(array);
-}
-
-std::vector<double> RowMajor(const Eigen::Matrix4d& m)
-{
-  std::vector<double> values(16);
-  Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(values.data()) = m;
-  return values;
 }
 
 } // namespace
@@ -130,9 +107,7 @@ void vtkOversketchViewStroke::Execute(vtkInformationVector** inputs, vtkInformat
   }
   output->SetPoints(points);
   output->SetLines(lines);
-  AddCellArray<vtkDoubleArray>(output, "ViewTransform", RowMajor(view.viewTransform()));
-  AddCellArray<vtkDoubleArray>(output, "ProjectionTransform", RowMajor(view.projectionTransform()));
-  AddCellArray<vtkIntArray>(output, "ViewportSize", std::vector<int>{ width, height });
+  WriteView(view, output);
 }
 
 void vtkOversketchViewStroke::PrintSelf(ostream& os, vtkIndent indent)

@@ -13,6 +13,7 @@
 #include "vtkOversketchStepRunner.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
+#include "vtkOversketchTrace.h"
 #include "vtkOversketchTreatment.h"
 #include "widget_events.h"
 
@@ -34,6 +35,7 @@
 #include "vtkWidgetCallbackMapper.h"
 #include "vtkWidgetEvent.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -50,6 +52,7 @@ struct vtkOversketchDrawingWidget::Internals
   oversketch::Canvas rectangle{ Vector2::Zero(), { 1024.0, 768.0 } };
   vtkNew<vtkTrivialProducer> producer;
 
+  vtkNew<vtkOversketchTrace> trace;
   vtkNew<vtkOversketchCanvas> canvas;
   vtkNew<vtkOversketchMagneticSnap> snap;
   vtkNew<vtkOversketchResample> resample;
@@ -106,6 +109,45 @@ double areaRound(vtkPolyData* curves, vtkIdType cell, const Vector2& place)
   double at[3] = { place[0], place[1], 0.0 }, normal[3] = { 0.0, 0.0, 1.0 };
   return count > 2 && vtkPolygon::PointInPolygon(at, count, corners.data(), box, normal) == 1 ? std::abs(area)
                                                                                               : -1.0;
+}
+
+// The smallest curve round a place of which an array says this, -1 where there is none.
+vtkIdType smallestRound(vtkPolyData* curves, const char* name, double value, const Vector2& place)
+{
+  vtkDataArray* array = curves->GetCellData()->GetArray(name);
+  vtkIdType found = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (vtkIdType cell = 0; array && cell < curves->GetNumberOfLines(); ++cell)
+  {
+    const double area = array->GetComponent(cell, 0) == value ? areaRound(curves, cell, place) : -1.0;
+    if (area >= 0.0 && area < least)
+    {
+      least = area;
+      found = cell;
+    }
+  }
+  return found;
+}
+
+// Whether a closed curve runs where a stroke does, which is in the picture's own view.
+bool hasCurveAt(vtkPolyData* curves, vtkPolyData* stroke, const Canvas& canvas)
+{
+  vtkDataArray* closed = curves->GetCellData()->GetArray("Closed");
+  if (!closed)
+  {
+    return false;
+  }
+  const Polyline outline = ontoCanvas(PenView::of(stroke).kernelView(), ReadStrokes(stroke)[0].Samples);
+  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    if (closed->GetComponent(static_cast<vtkIdType>(i), 0) != 0.0 &&
+        NearestPlace(lines[i].Samples, true).meanDistance(outline) < 0.01 * canvas.longest())
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 } // namespace
@@ -181,6 +223,7 @@ void vtkOversketchDrawingWidget::SetPicture(vtkImageData* picture)
   inner.picture = picture;
   inner.canvas->SetPictureData(picture);
   inner.snap->SetPictureData(picture);
+  inner.trace->SetInputData(picture);
   if (this->Magnetic)
   {
     inner.snap->Prepare(); // no stroke's release waits for it
@@ -251,24 +294,47 @@ void vtkOversketchDrawingWidget::RemoveLastStroke()
 bool vtkOversketchDrawingWidget::CycleTreatment(double x, double y)
 {
   Internals& inner = *this->Inner;
-  vtkDataArray* roles = inner.curves->GetCellData()->GetArray("Role");
-  vtkDataArray* strokes = inner.curves->GetCellData()->GetArray("StrokeId");
-  int found = -1;
-  double least = std::numeric_limits<double>::infinity();
-  for (vtkIdType cell = 0; roles && cell < inner.curves->GetNumberOfLines(); ++cell)
-  {
-    const double area = roles->GetComponent(cell, 0) == 2.0 ? areaRound(inner.curves, cell, { x, y }) : -1.0;
-    if (area >= 0.0 && area < least)
-    {
-      least = area;
-      found = static_cast<int>(strokes->GetComponent(cell, 0));
-    }
-  }
-  if (found < 0)
+  const vtkIdType cell = smallestRound(inner.curves, "Role", 2.0, { x, y });
+  if (cell < 0)
   {
     return false;
   }
+  const int found =
+    static_cast<int>(inner.curves->GetCellData()->GetArray("StrokeId")->GetComponent(cell, 0));
   inner.strokes.setTreatment(found, (inner.strokes.treatment(found) + 1) % 3);
+  this->Publish();
+  return true;
+}
+
+bool vtkOversketchDrawingWidget::Trace(double x, double y)
+{
+  Internals& inner = *this->Inner;
+  try
+  {
+    if (!inner.picture)
+    {
+      throw Error(Failure::BadStroke, "There is no picture to trace in; draw the outline.");
+    }
+    const PicturePlace picture = PlaceOf(inner.picture);
+    const Vector2 at = picture.ToPixels({ x, y }) + Vector2(0.5, 0.5);
+    inner.trace->SetPlace(std::max(at[0], 0.0), std::max(at[1], 0.0));
+    StepRunner(inner.trace, {}).Run();
+    vtkPolyData* outlines = inner.trace->GetOutput();
+    if (hasCurveAt(inner.curves, outlines, inner.rectangle))
+    {
+      throw Error(Failure::BadStroke, "What is there has its outline; click on another thing, or draw.");
+    }
+    for (vtkIdType i = 0; i < outlines->GetNumberOfLines(); ++i)
+    {
+      inner.strokes.add(StrokeAlone(outlines, i), false, 10.0);
+    }
+  }
+  catch (const Error& error)
+  {
+    this->Tell(error.message());
+    this->Show();
+    return false;
+  }
   this->Publish();
   return true;
 }
@@ -421,7 +487,15 @@ bool vtkOversketchDrawingWidget::Click()
   }
   const auto at =
     ontoCanvas(PenView::of(this->CurrentRenderer).kernelView(), Vector2(this->Begun[0], this->Begun[1]));
-  return at && this->CycleTreatment((*at)[0], (*at)[1]);
+  const Internals& inner = *this->Inner;
+  const auto isIn = [&](const Canvas& canvas)
+  {
+    const Vector2 share = textureCoordinates(canvas, *at);
+    return share.minCoeff() >= 0.0 && share.maxCoeff() <= 1.0;
+  };
+  return at && (this->CycleTreatment((*at)[0], (*at)[1]) ||
+                 (inner.picture && isIn(inner.rectangle) &&
+                   smallestRound(inner.curves, "Closed", 1.0, *at) < 0 && this->Trace((*at)[0], (*at)[1])));
 }
 
 bool vtkOversketchDrawingWidget::TakeStroke(vtkPolyData* stroke, bool over)

@@ -14,6 +14,7 @@
  * | Shift + left press | a stroke begins that replaces a part of the one that it is drawn over | |
  * | move, left release | | samples; the stroke ends |
  * | left click in a closed feature | fill, hole, tunnel, in turn | |
+ * | left click in a picture, in no closed stroke | traces what is there: Trace | |
  * | wheel | zooms about the cursor | swallowed |
  * | middle drag | pans | swallowed |
  * | Escape, BackSpace | not looked at | the pen's |
@@ -93,6 +94,13 @@ public:
    * where there is none.
    */
   bool CycleTreatment(double x, double y);
+
+  /**
+   * Adds the outline of what the picture shows at a place [world], or beside it, as strokes, and those of its
+   * holes as tunnels: see vtkOversketchTrace. False where there is none, or it has a stroke round it already;
+   * GetText says which. Fires no event.
+   */
+  bool Trace(double x, double y);
 
   ///@{
   /**

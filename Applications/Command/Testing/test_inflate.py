@@ -2,11 +2,14 @@
 import json
 
 import numpy
+import oversketch
 import pytest
 
 from scene import *  # noqa: F403
 from vtkmodules.vtkCommonCore import vtkIdList
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 DRAWINGS = SOURCE / "Data" / "Drawings"
 
@@ -51,7 +54,7 @@ def test_a_picture_becomes_a_textured_model(tmp_path):
     steps = report["stage_milliseconds"]
     ran = {"Canvas", "MagneticSnap", "Resample", "Classify", "Treatment", "Distance", "Polyline", "Darts", "CoarseMesh", "Refine", "Inflate",
            "Tunnel", "ProjectTexture"}
-    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Arrange", "QuadMerge", "Extrude"}
+    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Trace", "Arrange", "QuadMerge", "Extrude"}
     assert sum(steps.values()) <= report["milliseconds"]["run"]
     assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
     assert done.stdout == ""
@@ -185,6 +188,52 @@ def test_a_limb_of_it_is_pulled_and_it_keeps_its_picture(tmp_path):
     assert longer.GetBounds()[0] < model.GetBounds()[0] - 15  # the bill's tip
     assert longer.GetPointData().GetTCoords() is not None
     assert is_skin(vtk_to_numpy(longer.GetFieldData().GetAbstractArray("Texture")).tobytes(), (DRAWINGS / "heron.png").read_bytes())
+
+
+def rings_and_disc(path):
+    """A picture of 400 x 300 px with alpha: a ring of 100 and 40 px about (130, 150), a disc of 60 px about (310, 150)."""
+    x, y = numpy.meshgrid(numpy.arange(400), numpy.arange(300))
+    ring, disc = numpy.hypot(x - 130, y - 150), numpy.hypot(x - 310, y - 150)
+    inside = ((ring < 100) & (ring > 40)) | (disc < 60)
+    pixels = numpy.zeros((300, 400, 4), numpy.uint8)
+    pixels[inside] = 60, 120, 200, 255
+    image, writer = vtkImageData(), vtkPNGWriter()
+    image.SetDimensions(400, 300, 1)
+    scalars = numpy_to_vtk(pixels.reshape(-1, 4), deep=True)
+    image.GetPointData().SetScalars(scalars)
+    writer.SetInputData(image)
+    writer.SetFileName(str(path))
+    writer.Write()
+    return path
+
+
+def test_outlines_are_traced_in_a_picture(tmp_path):
+    image, out = rings_and_disc(tmp_path / "image.png"), tmp_path / "out.vtp"
+    done = run("inflate", "--trace", "auto", "--image", image, "-o", out, "--report", tmp_path / "out.json")
+    assert done.returncode == 0, done.stderr
+    mesh = read(out)
+    assert euler(mesh) == 0, "a ring with a tunnel"
+    assert numpy.allclose(mesh.GetBounds()[:4], (30, 230, 50, 250), atol=3)
+    report = json.loads((tmp_path / "out.json").read_text())
+    assert report["strokes"] == ["boundary", "closed feature"] and report["stage_milliseconds"]["Trace"] > 0
+    done = run("inflate", "--trace", "310,150", "--trace=auto", "--image", image, "-o", out)
+    assert done.returncode == 0, done.stderr
+    assert euler(read(out)) == 2, "a disc, and the ring"
+    # Strokes that were drawn come after the outlines.
+    eye = write(oversketch.drawing([ring(310, 150, 20)[:-1]], (400, 300), closed=True), tmp_path / "eye.vtp")
+    done = run("inflate", eye, "--trace", "310,150", "--image", image, "-o", out, "--hole", "1")
+    assert done.returncode == 0, done.stderr
+    assert euler(read(out)) == 0
+
+
+def test_what_cannot_be_traced_is_said(tmp_path):
+    image, out = rings_and_disc(tmp_path / "image.png"), tmp_path / "no.vtp"
+    assert "needs a drawing" in refuse(2, "inflate", "--image", image, "-o", out)
+    assert "--trace finds outlines in a picture" in refuse(1, "inflate", "--trace", "auto", "-o", out)
+    assert "--trace is" in refuse(1, "inflate", "--trace", "somewhere", "--image", image, "-o", out)
+    assert "beyond the picture" in refuse(1, "inflate", "--trace", "500,10", "--image", image, "-o", out)
+    assert "one file too many" in refuse(2, "inflate", DRAWINGS / "fish.vtp", DRAWINGS / "leaf.vtp", "--trace", "auto", "-o", out)
+    assert not out.exists()
 
 
 def test_options_add_up_or_stand_once(tmp_path):

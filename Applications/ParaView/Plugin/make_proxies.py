@@ -19,7 +19,7 @@ COLLECTIONS = ["vtkMultiBlockDataSet", "vtkPartitionedDataSet", "vtkPartitionedD
 GROUPS = {"ViewStroke": ("View", "oversketch_camera", ("Camera", "View"))}
 
 # What lies in pixels of a picture, not in the scene: ParaView is not to show it beside the models.
-PIXELS = {"Chaikin", "NurbsFit", "StrokeFilter", "StrokeThinning", "ViewStroke"}
+PIXELS = {"Chaikin", "NurbsFit", "StrokeFilter", "StrokeThinning", "Trace", "ViewStroke"}
 
 
 def words(name):

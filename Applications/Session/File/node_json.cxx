@@ -355,7 +355,7 @@ Node nodeOf2(const JsonReader& json, const std::vector<SystemRow>& rows, EntryRe
   }
   for (const SystemInput& input : row->inputs)
   {
-    if (!input.optional && input.kind != SystemInput::Kind::Mesh)
+    if (isNeeded(input, step->values) && input.kind != SystemInput::Kind::Mesh)
     {
       inputs.get(input.name);
     }

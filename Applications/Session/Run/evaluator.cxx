@@ -191,7 +191,7 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
       {
         return "there is no mesh yet that it could act on";
       }
-      else if (!input.optional)
+      else if (isNeeded(input, step.values))
       {
         return what + "is missing";
       }

@@ -22,6 +22,13 @@ const Row* findBy(Value Row::*member, const Value& value, const std::vector<Row>
 
 } // namespace
 
+bool isNeeded(const SystemInput& input, const Values& values)
+{
+  const auto maker = values.find(input.madeBy);
+  const bool isMade = maker != values.end() && maker->second != Value(std::string());
+  return input.madeBy.empty() ? !input.optional : !isMade;
+}
+
 bool isImage(SystemInput::Kind kind)
 {
   return kind == SystemInput::Kind::Picture || kind == SystemInput::Kind::Heights;

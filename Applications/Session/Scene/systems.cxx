@@ -321,16 +321,17 @@ SystemRow inflateDrawing()
     "Makes a mesh of closed outlines and what is drawn in them, inflates it to both sides or extrudes it, "
     "and lets it wear the picture that it was drawn over.";
   row.make = make<System>;
-  row.inputs = {
-    { "Strokes",
-      "drawing",
-      "polylines in pixels, each with its view, drawn over the plane z = 0, and whether it is magnetic "
-      "and its inside a hole where it has these arrays",
-      Kind::Stroke,
-      0 },
+  SystemInput strokes{ "Strokes",
+    "drawing",
+    "polylines in pixels, each with its view, drawn over the plane z = 0, and whether it is magnetic "
+    "and its inside a hole where it has these arrays; may be absent with --trace",
+    Kind::Stroke,
+    0,
+    true };
+  strokes.madeBy = "Trace";
+  row.inputs = { strokes,
     { "Picture", "image", "the picture that was drawn over", Kind::Picture, 1, true },
-    { "BackPicture", "back-image", "a picture of the back, as seen from behind", Kind::Picture, 2, true }
-  };
+    { "BackPicture", "back-image", "a picture of the back, as seen from behind", Kind::Picture, 2, true } };
   row.textureInput = "Picture";
   row.backTextureInput = "BackPicture";
   row.skin = true;
@@ -361,6 +362,11 @@ SystemRow inflateDrawing()
       "tunnel",
       "Tunnels",
       "numbers of the strokes whose inside is cut out of the finished surface")),
+    listing(parameter<System>(PROPERTY(System, Trace),
+      "trace",
+      "Traced",
+      "trace the outline of what is at X,Y of the picture, px from its lower left corner, with its holes as "
+      "tunnels; auto for its largest thing; outlines come before the strokes")),
     actingWith("Picture",
       parameter<System>(PROPERTY(System, Magnetic),
         "magnetic",

@@ -130,6 +130,44 @@ TEST(Drawing, AClickMakesAHoleAndATunnel)
   EXPECT_EQ(sheet.document->digest(), filled);
 }
 
+TEST(Drawing, AClickOnAShapeTracesIt)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.click({ 200, 185 }); // in the body
+  ASSERT_TRUE(sheet.mesh()) << sheet.failure();
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(openEdges(sheet.mesh()), 0);
+  EXPECT_EQ(eulerOf(sheet.mesh()), 2);
+  ASSERT_EQ(sheet.strokes().size(), 1u);
+  const double* bounds = sheet.mesh()->GetBounds();
+  const double rim[4] = { 80.0, 320.0, 40.0, 240.0 };
+  for (int k = 0; k < 4; ++k)
+  {
+    EXPECT_NEAR(bounds[k], rim[k], 4.0);
+  }
+  // What has its outline is traced no more: in it a click says nothing, beside it that it has one.
+  const std::string made = sheet.document->digest();
+  sheet.click({ 200, 185 });
+  sheet.click({ 360, 60 });
+  EXPECT_EQ(sheet.document->digest(), made);
+  EXPECT_EQ(sheet.strokes().size(), 1u);
+  EXPECT_NE(std::string(sheet.pad->widget()->GetText()), "");
+  // A line is drawn in it, as in one that a hand drew, and the outline redrawn.
+  sheet.line(ring({ 240, 185 }, 28));
+  sheet.click({ 240, 185 });
+  EXPECT_EQ(eulerOf(sheet.mesh()), 0) << sheet.failure();
+  sheet.document->undo();
+  sheet.document->undo();
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), made);
+  sheet.document->undo(); // one click, one step
+  sheet.settle();
+  EXPECT_FALSE(sheet.mesh());
+  EXPECT_EQ(sheet.pad->widget()->GetDrawing()->GetNumberOfLines(), 0);
+  EXPECT_FALSE(sheet.document->canUndo());
+}
+
 TEST(Drawing, ALegIsPulledAndTheDrawingChangedAfterwards)
 {
   Sheet sheet;
@@ -323,9 +361,14 @@ TEST(Drawing, ABadHandIsToldAndKeepsTheModel)
   EXPECT_TRUE(sheet.advice->text().contains("lose")) << sheet.advice->text().toStdString();
   sheet.document->undo();
   sheet.settle();
-  // A dot, and a click in nothing, are no lines.
-  sheet.line({ { 200, 200 }, { 200.4, 200 } });
-  sheet.click({ 30, 30 });
+  // A dot is no line but a click, which traces what is there; so does one in nothing.
+  for (const bool isDot : { true, false })
+  {
+    isDot ? sheet.line({ { 200, 200 }, { 200.4, 200 } }) : sheet.click({ 30, 30 });
+    EXPECT_EQ(sheet.strokes().size(), 1u);
+    sheet.document->undo();
+    sheet.settle();
+  }
   EXPECT_TRUE(sheet.strokes().empty());
   EXPECT_FALSE(sheet.document->canUndo());
   sheet.line(beast());

@@ -108,7 +108,7 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
     { tr("In the picture:"), {} },
     { tr("  Left drag"), tr("draw a line; an outline ends where it began") },
     { tr("  Shift + left drag"), tr("over a line: redraw a part of it") },
-    { tr("  Left click"), tr("in a closed inner line: fill, hole, tunnel") },
+    { tr("  Left click"), tr("on a shape: trace its outline; in a closed inner line: fill, hole, tunnel") },
     { tr("  Wheel, middle drag"), tr("zoom, pan") },
     { tr("F4"), tr("magnetic pen on or off") },
     { tr("V"), tr("picture and model change sides") },
@@ -128,11 +128,12 @@ QString DrawingTool::need() const
     std::any_of(this->Strokes.begin(), this->Strokes.end(), [](const DrawnStroke& one) { return one.on; });
   if (this->Strokes.empty())
   {
-    return this->Picture ? tr("Draw round the shape in the picture, one line that ends where it began: it "
-                              "becomes a model. F4 turns the magnet to edges %1, F1 lists the keys.")
-                             .arg(this->Magnetic->isChecked() ? tr("off") : tr("on"))
-                         : tr("Draw an outline, one line that ends where it began: it becomes a model. F1 "
-                              "lists the keys.");
+    return this->Picture
+             ? tr("Draw round the shape in the picture, ending where it began, or click on it: it "
+                  "becomes a model. F4 turns the magnet to edges %1, F1 lists the keys.")
+                 .arg(this->Magnetic->isChecked() ? tr("off") : tr("on"))
+             : tr("Draw an outline, one line that ends where it began: it becomes a model. F1 "
+                  "lists the keys.");
   }
   if (!anyOn)
   {
@@ -214,6 +215,10 @@ QString DrawingTool::advice(const Situation&) const
   const QString wrong = this->inLines(this->Pad->widget()->GetSaid().first()); // the picture has all of them
   if (!wrong.isEmpty())
   {
+    if (this->Pad->widget()->GetSaid().first().named().empty())
+    {
+      return wrong; // of what was asked for last, which changed nothing
+    }
     return this->isCrossing()
              ? tr("%1 Ctrl+Z takes the last line back; or tick Strokes may cross.").arg(wrong)
              : tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
@@ -242,7 +247,8 @@ QString DrawingTool::stage(const QString& name) const
   {
     return tr("Inflating");
   }
-  if (QStringList{ "Canvas", "MagneticSnap", "Resample", "Arrange", "Classify", "Treatment" }.contains(name))
+  if (QStringList{ "Trace", "Canvas", "MagneticSnap", "Resample", "Arrange", "Classify", "Treatment" }
+        .contains(name))
   {
     return tr("Reading the drawing");
   }
@@ -461,7 +467,7 @@ void DrawingTool::take()
   {
     return;
   }
-  // Those that are off were not on the pad; what is new there is its last one.
+  // Those that are off were not on the pad; what is new there comes last.
   const std::vector<DrawnStroke> now = strokesOf(this->Pad->widget()->GetDrawing());
   std::vector<DrawnStroke> next = this->Strokes;
   std::size_t k = 0;
@@ -478,15 +484,13 @@ void DrawingTool::take()
     vtkSmartPointer<vtkPolyData>& line = next[indexOf(this->Redrawn)].line;
     const vtkSmartPointer<vtkDataArray> treatment = line->GetCellData()->GetArray("Treatment");
     line = now[k].line;
+    ++k;
     if (treatment)
     {
       line->GetCellData()->AddArray(treatment); // a hole stays one
     }
   }
-  else if (k < now.size())
-  {
-    next.push_back(now[k]);
-  }
+  next.insert(next.end(), now.begin() + static_cast<std::ptrdiff_t>(k), now.end());
   const Step step =
     withDrawing(*this->OpenDocument->nodeAt(at)->step, drawingOf(next, this->Pad->widget()->GetDrawing()));
   if (!replaces) // the pad shows it already

@@ -29,7 +29,10 @@ public:
 
   QString title() const override { return tr("Ima&ge to model"); }
   QKeySequence key() const override { return tr("G"); }
-  QString help() const override { return tr("Draw round a shape in a picture, and it becomes a model (G)"); }
+  QString help() const override
+  {
+    return tr("Draw round a shape in a picture, or click on it, and it becomes a model (G)");
+  }
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
   QString advice(const Situation& situation) const override;

@@ -209,6 +209,13 @@ TEST(InflateDrawingPromises, ARunIsCancelledInEachStepAndMadeWhole)
       }
     }
   }
+  vtkNew<vtkPolyData> nothing;
+  System traced(nothing);
+  traced.filter->SetInputData(1, image);
+  traced.filter->SetTrace("auto");
+  expectStopIn(traced.filter, "Trace");
+  EXPECT_EQ(topologyOf(traced.mesh()).chi, 2);
+  stopped.insert("Trace");
   EXPECT_EQ(static_cast<int>(stopped.size()), System(strokes).filter->GetNumberOfStages()) << "every step";
 }
 

@@ -261,6 +261,77 @@ TEST(DrawingWidget, AMagneticPenKeepsToThePicturesEdges)
   EXPECT_NEAR(meanDistance(), 4.5, 0.7);
 }
 
+TEST(DrawingWidget, AClickOnAThingTracesItAndItsHoles)
+{
+  Desk desk;
+  const Vector2 centre(160.0, 120.0);
+  const auto click = [&](double x, double y)
+  {
+    const auto at = desk.display({ x, y, 0.0 });
+    desk.click(int(std::lround(at[0])), int(std::lround(at[1])));
+  };
+  Counter changes(desk.sheet, vtkCommand::WidgetValueChangedEvent);
+  click(200.0, 120.0); // on an empty sheet
+  EXPECT_EQ(changes.count, 0);
+  desk.sheet->SetPicture(picture(320,
+    240,
+    1,
+    [&](int x, int y, int)
+    {
+      const double from = (Vector2(x, y) - centre).norm();
+      return from < 90.0 && from > 30.0 ? 30 : 220;
+    }));
+  click(centre[0] + 60.0, centre[1]);
+  EXPECT_EQ(changes.count, 1) << "both outlines at once";
+  EXPECT_STREQ(desk.sheet->GetText(), "");
+  EXPECT_EQ(desk.labels("Role"), (std::vector<int>{ 1, 2 }));
+  EXPECT_EQ(desk.labels("Treatment"), (std::vector<int>{ 0, 2 }));
+  for (vtkIdType i = 0; i < desk.sheet->GetCurves()->GetNumberOfPoints(); ++i)
+  {
+    const double from = (desk.curvePoint(i) - centre).norm();
+    EXPECT_LT(std::min(std::abs(from - 90.0), std::abs(from - 30.0)), 1.5);
+  }
+  // A click in a closed line is what it was.
+  click(centre[0], centre[1]);
+  EXPECT_EQ(desk.labels("Treatment"), (std::vector<int>{ 0, 0 }));
+  click(centre[0] + 60.0, centre[1]);
+  EXPECT_EQ(changes.count, 2);
+  // Beside it the largest thing is meant, which has its outline; beyond the picture nothing is.
+  click(8.0, 8.0);
+  EXPECT_EQ(changes.count, 2);
+  EXPECT_NE(std::string(desk.sheet->GetText()).find("has its outline"), std::string::npos);
+  EXPECT_EQ(desk.drawing()->GetNumberOfCells(), 2);
+  EXPECT_TRUE(desk.sheet->SetDrawing(nullptr));
+  EXPECT_TRUE(desk.sheet->Trace(8.0, 8.0));
+  EXPECT_EQ(desk.drawing()->GetNumberOfCells(), 2);
+  // A traced stroke is corrected as a drawn one is.
+  const auto at = [&](double angle, double out)
+  {
+    const auto place =
+      desk.display({ centre[0] + out * std::cos(angle), centre[1] + out * std::sin(angle), 0.0 });
+    return Vector2(place[0], place[1]);
+  };
+  std::vector<Vector2> bulge;
+  for (int i = -10; i <= 10; ++i)
+  {
+    bulge.push_back(at(0.04 * i, 90.0 + 10.0 * std::cos(0.05 * pi * i)));
+  }
+  desk.draw(bulge, Shift);
+  EXPECT_EQ(desk.drawing()->GetNumberOfCells(), 2) << desk.sheet->GetText();
+  double farthest = 0.0;
+  for (vtkIdType i = 0; i < desk.sheet->GetCurves()->GetNumberOfPoints(); ++i)
+  {
+    farthest = std::max(farthest, (desk.curvePoint(i) - centre).norm());
+  }
+  EXPECT_GT(farthest, 96.0);
+  // Where nothing stands out it is said.
+  desk.sheet->SetDrawing(nullptr);
+  desk.sheet->SetPicture(picture(320, 240, 1, [](int, int, int) { return 128; }));
+  click(100.0, 100.0);
+  EXPECT_NE(std::string(desk.sheet->GetText()).find("nothing to trace"), std::string::npos);
+  EXPECT_EQ(desk.drawing()->GetNumberOfCells(), 0);
+}
+
 TEST(DrawingWidget, ADrawingIsTakenAndHandedOn)
 {
   Desk desk, other;
