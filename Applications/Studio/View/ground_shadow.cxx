@@ -36,8 +36,9 @@ constexpr double shadowNear = 0.12;   // of the models' height: what is lower to
 constexpr double nearBlur = 3.0, farBlur = 12.0;  // px
 constexpr double nearDark = 0.45, farDark = 0.35; // alpha
 constexpr double fromBelow = 0.35;                // of the darkness, seen from below
-// Faces of a mesh that are drawn: of a larger one each second, third, …, each much smaller than a pixel.
-constexpr vtkIdType mostFaces = 400'000;
+// Faces of a mesh that are drawn, for time: of a larger one each second, third, …; what gaps there are is
+// blurred.
+constexpr vtkIdType mostFaces = 150'000;
 
 // Where the models stand: the corner of a square of the ground, and how high they are above it.
 struct Stand
