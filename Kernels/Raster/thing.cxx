@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 namespace oversketch
@@ -109,11 +110,11 @@ Thing beforeGround(const cv::Mat3b& lab,
   const double between =
     cv::threshold(differs, split, 0.0, 255.0, cv::THRESH_BINARY | cv::THRESH_OTSU) / halves;
   const double noise = std::max(least, 4.0 + 1.5 * ground.spread);
-  const cv::Mat1b like = differs <= halves * std::clamp(between, noise, std::max(noise, most));
+  const cv::Mat1b like(differs <= halves * std::clamp(between, noise, std::max(noise, most)));
   cv::Mat1b framed;
   cv::copyMakeBorder(like, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
   cv::floodFill(framed, { 0, 0 }, cv::Scalar(marked));
-  const cv::Mat1b reached = framed(cv::Rect(1, 1, like.cols, like.rows)) == marked;
+  const cv::Mat1b reached(framed(cv::Rect(1, 1, like.cols, like.rows)) == marked);
   Thing thing;
   if (place && like(*place) && !reached(*place)) // ground that is shut in
   {
@@ -158,7 +159,7 @@ cv::Mat1b spotAt(const cv::Mat3b& lab, const cv::Point& place, const Context& co
   std::vector<double> areas;
   for (int i = 1; i <= steps; ++i)
   {
-    cv::Mat1b like = smallDiffers <= halves * step * i;
+    cv::Mat1b like(smallDiffers <= halves * step * i);
     areas.push_back(like(at) ? cv::floodFill(like, at, cv::Scalar(marked)) : 0);
   }
   double tolerance = 0.0, least = 1.0;
@@ -176,13 +177,13 @@ cv::Mat1b spotAt(const cv::Mat3b& lab, const cv::Point& place, const Context& co
   {
     return {};
   }
-  cv::Mat1b like = differences(lab, colour, context) <= halves * tolerance;
+  cv::Mat1b like(differences(lab, colour, context) <= halves * tolerance);
   if (!like(place))
   {
     return {};
   }
   cv::floodFill(like, place, cv::Scalar(marked));
-  return like == marked;
+  return cv::Mat1b(like == marked);
 }
 
 // GrabCut draws numbers of OpenCV's generator of this thread: they are the same each time, and it goes on as
@@ -220,7 +221,7 @@ Thing cutFrom(const cv::Mat3b& colours, const std::optional<cv::Point>& place)
   const SameNumbers same;
   cv::Mat behind, before;
   cv::grabCut(small, labels, {}, behind, before, rounds, cv::GC_INIT_WITH_MASK);
-  const cv::Mat1b found = (labels & 1) * 255;
+  const cv::Mat1b found((labels & 1) * 255);
   cv::Mat1b whole;
   cv::resize(found, whole, colours.size(), 0.0, 0.0, cv::INTER_LINEAR);
   thing.mask = whole >= halfCovered;

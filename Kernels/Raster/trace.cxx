@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace oversketch
 {
@@ -22,13 +23,13 @@ cv::Mat1b withoutWhiskers(const cv::Mat1b& mask, double width)
   const double slack = radius + 0.6; // px: discs on a grid of pixels, and a px that they miss of a smooth rim
   cv::Mat1f depth, away;
   cv::distanceTransform(mask, depth, cv::DIST_L2, cv::DIST_MASK_5);
-  const cv::Mat1b middles = depth >= radius + 0.5; // depths are to the middle of the first pixel outside
+  const cv::Mat1b middles(depth >= radius + 0.5); // depths are to the middle of the first pixel outside
   if (cv::countNonZero(middles) == 0)
   {
     return middles;
   }
   cv::distanceTransform(~middles, away, cv::DIST_L2, cv::DIST_MASK_5);
-  cv::Mat1b kept = (away <= slack) & mask;
+  cv::Mat1b kept((away <= slack) & mask);
   cv::Mat1i parts;
   const int count = cv::connectedComponents(mask & ~kept, parts, 8);
   std::vector<float> reach(static_cast<std::size_t>(count), 0.0F);
@@ -68,9 +69,9 @@ cv::Mat1b oneOf(const cv::Mat1b& mask, const std::optional<cv::Point>& place)
   }
   if (chosen == 0)
   {
-    return cv::Mat1b::zeros(mask.size());
+    return cv::Mat1b(mask.size(), std::uint8_t(0));
   }
-  return parts == chosen;
+  return cv::Mat1b(parts == chosen);
 }
 
 using Chain = std::vector<cv::Point>;
@@ -150,7 +151,7 @@ Polyline smoothed(const Polyline& rim)
     const Vector2 at = places[static_cast<std::size_t>(i)].of(rim);
     even(0, i) = cv::Vec2d(at[0], at[1]);
   }
-  const cv::Mat2d means = meansAlong(even), rest = meansAlong(even - means);
+  const cv::Mat2d means = meansAlong(even), rest = meansAlong(cv::Mat2d(even - means));
   Polyline result;
   for (int i = 0; i < count; ++i)
   {

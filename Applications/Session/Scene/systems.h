@@ -79,9 +79,9 @@ struct SystemInput
   Kind kind = Kind::Mesh;
   int port = 0;
   bool optional = false;
-  bool byOption = false;  // it must be there, and a command line names it by an option, too
-  bool orNumbers = false; // of lines: a command line may give one as its places, "0 0, 0.4 0.3, 1 0"
-  std::string madeBy;     // optional where this parameter, a text, is not empty; empty for none
+  bool byOption = false;   // it must be there, and a command line names it by an option, too
+  bool orNumbers = false;  // of lines: a command line may give one as its places, "0 0, 0.4 0.3, 1 0"
+  std::string madeBy = {}; // optional where this parameter, a text, is not empty; empty for none
 };
 
 // Whether values leave it to be given: it is not optional, or what would make it is not set.

@@ -1,6 +1,7 @@
 #include "Harness/drawings.h"
 #include "Harness/promises.h"
 #include "vtkOversketchCanvas.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchTrace.h"
 
 #include "vtkSMPTools.h"
