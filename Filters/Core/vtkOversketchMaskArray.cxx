@@ -49,6 +49,11 @@ std::vector<char> MaskedPointsOf(vtkPolyData* mesh)
   return std::find(masked.begin(), masked.end(), 1) == masked.end() ? std::vector<char>() : masked;
 }
 
+MeshKey MaskKey(vtkPolyData* mesh)
+{
+  return MeshKey(mesh, { mesh->GetPointData()->GetArray(maskName) });
+}
+
 void PutMask(const std::vector<double>& mask, vtkPolyData* mesh)
 {
   mesh->GetPointData()->RemoveArray(maskName);

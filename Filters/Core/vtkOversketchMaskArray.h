@@ -7,6 +7,8 @@
 
 #include "OversketchFiltersCoreModule.h" // For export macro
 
+#include "vtkOversketchFilterTools.h" // for MeshKey
+
 #include <vector>
 
 class vtkPolyData;
@@ -30,6 +32,11 @@ OVERSKETCHFILTERSCORE_EXPORT std::vector<double> MaskOf(vtkPolyData* mesh);
  * 1 for each point that no step moves; empty where there is none.
  */
 OVERSKETCHFILTERSCORE_EXPORT std::vector<char> MaskedPointsOf(vtkPolyData* mesh);
+
+/**
+ * Key of a mesh and its mask.
+ */
+OVERSKETCHFILTERSCORE_EXPORT MeshKey MaskKey(vtkPolyData* mesh);
 
 /**
  * Gives the mesh that mask; takes it away where that is empty.
