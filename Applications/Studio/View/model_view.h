@@ -48,6 +48,8 @@ public:
   // Shows the same mesh moved, in the same skins.
   void preview(vtkPolyData* mesh);
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
+  // That without the parts that are hidden.
+  vtkSmartPointer<vtkPolyData> seen() const { return this->Shown ? this->seen(this->Shown) : nullptr; }
   bool owns(const vtkActor* actor) const;
 
   void setLook(const ModelLook& look);

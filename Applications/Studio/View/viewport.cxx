@@ -109,6 +109,7 @@ void Viewport::makeScene()
 
   this->Renderer->AddActor(this->Region.actor());
 
+  this->Masked.addTo(this->Renderer);
   this->Mirror.addTo(this->Renderer);
   this->HintBox.addTo(this->Renderer);
 }
@@ -279,6 +280,7 @@ bool Viewport::event(QEvent* event)
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->Model.show(mesh);
+  this->Masked.show(this->Model.seen());
   this->Behind.setMesh(mesh);
   if (reset)
   {
@@ -299,9 +301,16 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->renderSoon();
 }
 
+void Viewport::showPreview(vtkPolyData* mesh)
+{
+  this->Model.preview(mesh);
+  this->Masked.show(this->Model.seen());
+}
+
 void Viewport::clearMesh()
 {
   this->Model.clear();
+  this->Masked.show(nullptr);
   this->HintBox.setText({});
   this->showSection(nullptr);
   this->showRegion(nullptr);
@@ -314,12 +323,14 @@ void Viewport::showInstead(vtkPolyData* mesh)
   this->Looks.showInstead(mesh);
   this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
   this->Region.actor()->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->Masked.setVisible(!mesh);
   this->renderSoon();
 }
 
 void Viewport::hideParts(const std::set<int>& parts)
 {
   this->Model.hide(parts);
+  this->Masked.show(this->Model.seen());
   this->renderSoon();
 }
 
@@ -453,6 +464,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
     showLines(false);
     this->Section->VisibilityOff();
     this->Region.actor()->VisibilityOff();
+    this->Masked.setVisible(false);
     this->Mirror.setVisible(false);
     this->HintBox.setVisible(false);
     this->Style->SetShowKeys(false);
@@ -465,6 +477,7 @@ void Viewport::screenshot(const QString& path, bool overlays)
   picture->Update();
   this->Section->SetVisibility(section);
   this->Region.actor()->SetVisibility(region);
+  this->Masked.setVisible(!this->Looks.instead());
   this->Mirror.setVisible(mirror);
   this->HintBox.setVisible(hint);
   this->Style->SetShowKeys(keys);

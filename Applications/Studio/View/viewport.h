@@ -8,6 +8,7 @@
 #include "hand_gestures.h"
 #include "hint.h"
 #include "look.h"
+#include "mask_sheet.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
 #include "moved_region.h"
@@ -50,7 +51,7 @@ public:
   // Shows none.
   void clearMesh();
   // The mesh as a tool shows it meanwhile, with the same skin.
-  void showPreview(vtkPolyData* mesh) { this->Model.preview(mesh); }
+  void showPreview(vtkPolyData* mesh);
   // Null where none is shown.
   vtkPolyData* mesh() const { return this->Model.mesh(); }
   // Parts of the mesh that are not drawn (ModelView::hide).
@@ -89,6 +90,9 @@ public:
   bool showsKeys() const;
   // Writes what the window shows; without overlays only the model. Throws Failed.
   void screenshot(const QString& path, bool overlays);
+
+  // The part of the model that is masked, dark.
+  const MaskSheet& masked() const { return this->Masked; }
 
   // For tools.
   Display& display() { return this->Looks; }
@@ -145,6 +149,7 @@ private:
   vtkNew<vtkActor> Section;
   oversketch::MovedRegion Region;
   MirrorSheet Mirror;
+  MaskSheet Masked;
   Backdrop Behind;
   Hint HintBox;
   vtkNew<vtkOversketchInteractorStyle> Style;
