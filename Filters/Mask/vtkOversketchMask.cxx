@@ -16,6 +16,9 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 using namespace oversketch;
 

@@ -63,7 +63,7 @@ public:
   int splitEdge(int a, int b, double s);
   // Input vertices whose triangles are only split, a byte each; empty: none.
   std::vector<char> left;
-  bool isLeft(int v) const { return v < static_cast<int>(this->left.size()) && this->left[v] != 0; }
+  bool isLeft(int v) const { return v >= 0 && v < static_cast<int>(this->left.size()) && this->left[v] != 0; }
   // The edge of two triangles turns into the other diagonal.
   void flip(int a, int b);
   // `from` becomes `to`; the triangles at their edge go, and `from` leaves its curves.

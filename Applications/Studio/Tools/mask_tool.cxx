@@ -22,11 +22,11 @@ namespace
 {
 
 constexpr const char *modeName = "Mode", *throughName = "Through", *growName = "Grow", *invertName = "Invert";
-constexpr int replaces = 2; // of Mode
+constexpr int replacing = 2; // of Mode
 constexpr double ownLengthOfSize = 0.02;
 
 template <typename T>
-T valueOf(const Values& values, const char* name, T otherwise)
+T givenOr(const Values& values, const char* name, T otherwise)
 {
   const auto found = values.find(name);
   return found == values.end() ? otherwise : std::get<T>(found->second);
@@ -75,7 +75,7 @@ MaskTool::MaskTool(Viewport* viewport, const Document* document)
   connected(addButton("mask_invert", tr("Invert"), tr("Mask what is free, and free what is masked")),
     [this]
     {
-      const bool inverts = this->shapesOffered() && valueOf(this->Selected, invertName, false);
+      const bool inverts = this->shapesOffered() && givenOr(this->Selected, invertName, false);
       this->act({ { invertName, !inverts } });
     });
   connected(addButton("mask_clear", tr("Clear"), tr("Free all of the model")),
@@ -83,7 +83,7 @@ MaskTool::MaskTool(Viewport* viewport, const Document* document)
     {
       Step step;
       step.system = this->system();
-      step.values[modeName] = replaces;
+      step.values[modeName] = replacing;
       emit this->drawn(step);
     });
   // A lasso that is there is changed by its form: the next one may free again.
@@ -168,8 +168,8 @@ Values MaskTool::options() const
 void MaskTool::setOptions(const Values& options)
 {
   HeldStrokeTool::setOptions(options);
-  this->Mode->setCurrentIndex(valueOf(options, modeName, 0));
-  this->Through->setChecked(valueOf(options, throughName, false));
+  this->Mode->setCurrentIndex(givenOr(options, modeName, 0));
+  this->Through->setChecked(givenOr(options, throughName, false));
 }
 
 void MaskTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
@@ -196,8 +196,8 @@ void MaskTool::act(const Values& values)
 void MaskTool::grow(double length)
 {
   const bool isOffered = this->shapesOffered();
-  const double before = isOffered ? valueOf(this->Selected, growName, 0.0) : 0.0;
-  const bool inverts = isOffered && valueOf(this->Selected, invertName, false);
+  const double before = isOffered ? givenOr(this->Selected, growName, 0.0) : 0.0;
+  const bool inverts = isOffered && givenOr(this->Selected, invertName, false);
   this->act({ { growName, before + (inverts ? -length : length) } });
 }
 
