@@ -60,6 +60,9 @@ public:
    */
   vtkSetClampMacro(Mode, int, Add, Replace);
   vtkGetMacro(Mode, int);
+  void SetModeToAdd() { this->SetMode(Add); }
+  void SetModeToSubtract() { this->SetMode(Subtract); }
+  void SetModeToReplace() { this->SetMode(Replace); }
   ///@}
 
   ///@{
