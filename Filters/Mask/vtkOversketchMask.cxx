@@ -204,16 +204,6 @@ bool vtkOversketchMask::Prepare()
     });
 }
 
-void vtkOversketchMask::GetRegion(vtkPolyData* region)
-{
-  region->Initialize();
-  const std::vector<char> masked = MaskedPointsOf(this->Internals->Made);
-  if (!masked.empty())
-  {
-    PutTriangles(this->Internals->Made, masked, 3, region);
-  }
-}
-
 vtkOversketchSystem::FigureList vtkOversketchMask::Figures()
 {
   vtkPolyData* made = this->Internals->Made;

@@ -94,10 +94,6 @@ public:
 
   bool Prepare() override;
   /**
-   * The triangles whose corners are all masked.
-   */
-  void GetRegion(vtkPolyData* region) override;
-  /**
    * "masked": how many points of the output are; "of_points": how many there are.
    */
   FigureList Figures() override;
