@@ -72,6 +72,7 @@ def test_a_lasso_in_the_void_and_none_are_refused(folder, tmp_path):
     write(stroke(numpy.array([[5.0, 5.0], [40.0, 8.0], [20.0, 30.0]])), tmp_path / "void.vtp")
     assert "encloses no point" in refuse(1, "mask", folder / "body.vtp", "--lasso", tmp_path / "void.vtp", "-o", tmp_path / "o.vtp")
     assert "There is no lasso" in refuse(1, "mask", folder / "body.vtp", "-o", tmp_path / "o.vtp")
+    assert "view of a stroke" in refuse(1, "mask", folder / "body.vtp", "--invert", "-o", tmp_path / "o.vtp", "--picture", tmp_path / "o.png")
     assert os.listdir(tmp_path) == ["void.vtp"]
 
 
