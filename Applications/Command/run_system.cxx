@@ -116,6 +116,11 @@ void checkOutputs(const Options& options, vtkOversketchSystem* system)
   requireOutputs(options, read, inner);
   if (!options.picture.empty() || !options.turntable.empty())
   {
+    const SystemInput* stroke = findInput(*options.system, SystemInput::Kind::Stroke);
+    if (options.inputs.at(stroke->name).empty())
+    {
+      throw Failed("--picture is taken from the view of a stroke, and there is none; give --" + stroke->word);
+    }
     requireDisplay();
   }
   if (!options.inner.empty())

@@ -41,6 +41,7 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
       }
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]), mesh);
       inner.FeedMesh(mesh);
+      inner.RequireMaskKept();
       inner.Counted.emplace();
       this->SetPasses(inner.PassCount());
       for (std::size_t pass = 0; pass < inner.PassCount(); ++pass)

@@ -14,20 +14,21 @@
  * Input 0 (Mesh): triangle mesh, vtkPolyData; a manifold with one orientation, with borders or without. One
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
  * texture coordinates or normals are welded for computing (exactly equal positions) and split again in the
- * output. The mesh's normals are not read.
- * Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform, ProjectionTransform,
- * ViewportSize; any number, each with its own view. Cell arrays Radius, Height [model length] and Sharpness
- * go before the parameters, point array Pressure is read with UsePressure.
+ * output. The mesh's normals are not read. Point array Mask (vtkOversketchMask): points with 1 are neither
+ * snapped, smoothed nor raised, nor new ones between two of them; others are raised by 1 - Mask of the
+ * height. Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform,
+ * ProjectionTransform, ViewportSize; any number, each with its own view. Cell arrays Radius, Height [model
+ * length] and Sharpness go before the parameters, point array Pressure is read with UsePressure.
  *
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
  * has them; along texture seams once per side, and points that repeat a place then come after all others, so
- * that welding gives the 4-8 mesh with its numbers. A seam's points move along it only. Points that no
- * feature reaches and that were there are bit-identical; where {Even} worked all have new numbers.
+ * that welding gives the 4-8 mesh with its numbers. A seam's points move along it only. Points that were
+ * there and are masked, or that no feature reaches, are bit-identical; {Even} gives all new numbers.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
- * BadStroke where there is no stroke. An empty mesh gives an empty output silently. A run that AbortExecute
- * stopped needs Modified() before the next. One warning says what is not as drawn: triangles that newly pass
+ * BadStroke without a stroke; BadMesh for masked points over a Simplified base. An empty mesh gives an empty
+ * output silently. After AbortExecute: Modified(). One warning says what is not as drawn: triangles that pass
  * through others or turned over, a low crest, a feature held back, lines that the mesh does not follow.
  *
  * Demand-driven: another height, sharpness (on the same side of 1 and 2) or profile runs {Displace} and on, a

@@ -3,6 +3,7 @@
 
 #include "Stellar/quality.h"
 #include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarCurves.h"
 
 #include "vtkCellData.h"
@@ -76,7 +77,13 @@ void vtkOversketchAugment::Pipeline::LayCurves()
   {
     length = std::min(length, curve.radius.value_or(this->PassRadius));
   }
-  PutRegion(this->Mesh, near.vertices, std::max(length, 0.125 * near.meanEdge), this->Uneven);
+  const std::vector<char> masked = MaskedPointsOf(this->Mesh);
+  std::vector<char> region = near.vertices;
+  for (std::size_t v = 0; v < masked.size(); ++v)
+  {
+    region[v] = region[v] && !masked[v];
+  }
+  PutRegion(this->Mesh, region, std::max(length, 0.125 * near.meanEdge), this->Uneven);
   this->Self->RunStage("Even");
   this->Evened->ShallowCopy(this->Self->StageOutput("Even"));
   this->Evened->GetPointData()->RemoveArray("Region");

@@ -4,6 +4,7 @@
 #include "vtkOversketchAugmentSeams.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchPolylines.h"
 #include "vtkOversketchSources.h"
 #include "vtkOversketchStellarCurves.h"
@@ -202,6 +203,7 @@ void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
       }
       this->Start->ShallowCopy(welded);
       AddPlaces(this->Start);
+      this->Welding->PutMask(mesh, this->Start);
       CopyStellarArrays(mesh, firsts, this->Start);
     }
   }
@@ -221,6 +223,16 @@ void vtkOversketchAugment::Pipeline::FeedMesh(vtkPolyData* mesh)
   this->MeshKeySeen = key();
   this->MeshSeen = seen;
   this->WholeSeen = whole;
+}
+
+void vtkOversketchAugment::Pipeline::RequireMaskKept() const
+{
+  if (this->Self->Base == Simplified && !MaskedPointsOf(this->Start).empty())
+  {
+    throw Error(Failure::BadMesh,
+      "The mesh has masked points, which a coarser mesh in its place would not keep; set {Base Direct}, or "
+      "clear the mask.");
+  }
 }
 
 void vtkOversketchAugment::Pipeline::FeedStrokes(vtkPolyData* strokes, vtkPolyData* mesh)

@@ -48,6 +48,8 @@ struct vtkOversketchAugment::Pipeline
   // Brings the inner inputs up to date; they change only where what the steps read has changed.
   void FeedMesh(vtkPolyData* mesh);
   void FeedStrokes(vtkPolyData* strokes, vtkPolyData* mesh);
+  // Throws Error(BadMesh) for masked points over a simplified base.
+  void RequireMaskKept() const;
   // The strokes one by one, those that neither cross nor lie on each other together.
   std::vector<vtkSmartPointer<vtkPolyData>> PassesOf(vtkPolyData* strokes,
     const oversketch::Vector3& centre,

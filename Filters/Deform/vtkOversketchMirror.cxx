@@ -1,6 +1,7 @@
 #include "vtkOversketchMirror.h"
 
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMaskArray.h"
 
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -114,6 +115,9 @@ int vtkOversketchMirror::RequestData(vtkInformation*,
           normals->SetTuple(i, tripleOf(normalsBefore, i).data());
         }
       }
+      const std::vector<char> masked = MaskedPointsOf(before);
+      const auto isMasked = [&masked](vtkIdType i)
+      { return !masked.empty() && masked[static_cast<std::size_t>(i)] != 0; };
       vtkNew<vtkStaticPointLocator> locator;
       locator->SetDataSet(before);
       locator->BuildLocator();
@@ -144,7 +148,10 @@ int vtkOversketchMirror::RequestData(vtkInformation*,
         // the normals that are most alike.
         for (vtkIdType k = 0; k < near->GetNumberOfIds(); ++k)
         {
-          made->SetTuple(near->GetId(k), reflected(tripleOf(to, i), offset).data());
+          if (!isMasked(near->GetId(k)))
+          {
+            made->SetTuple(near->GetId(k), reflected(tripleOf(to, i), offset).data());
+          }
         }
         if (normals)
         {

@@ -8,8 +8,8 @@
  *
  * Input 0 (Mesh before): mesh before, vtkPolyData, symmetric about the plane wherever the deformation
  * moved it on the chosen side: every such point has a partner where the plane reflects it to, within
- * Tolerance.
- * Input 1 (Deformed mesh): the same mesh after a deformation: same number of points, same cells.
+ * Tolerance. Point array Mask, where it has one (vtkOversketchMask): points with 1 do not follow their
+ * partner. Input 1 (Deformed mesh): the same mesh after a deformation: same number of points, same cells.
  *
  * Output 0: input 1 with new points: on the chosen side they are those of input 1. Points in the plane stay
  * in it (their coordinate along the axis is that of input 0). On the other side a point whose partner moved
@@ -19,7 +19,8 @@
  * Points of the chosen side that the deformation moved beyond the plane are not held back.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, when the inputs' numbers of points differ,
- * or a moved point has no partner (the message names it). Empty inputs give an empty output silently.
+ * or a moved point has no partner (the message names it); MissingArray for a Mask that is not one finite
+ * number a point. Empty inputs give an empty output silently.
  *
  * Deterministic. Cost: n log n for the search of partners, of moved points alone.
  *

@@ -14,7 +14,9 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or normals
  * are welded for computing (exactly equal positions) and split again in the output. Field array MeanEdge, the
- * mean edge when it was loaded, is read where it is there.
+ * mean edge when it was loaded, is read where it is there. Point array Mask, where it has one
+ * (vtkOversketchMask): points with 1 do not move, and triangles at them are only split, where line and ring
+ * go through; with less EditWeight is that times 1 - Mask, of a profile with UseTexture.
  * Input 1 (Reference): the line: polylines in display coordinates with cell arrays ViewTransform,
  * ProjectionTransform, ViewportSize, each of a view of its own: the first one draws, each further one redraws
  * a part of what those before have made, in the picture (vtkOversketchResketch), as it is seen in its view;
@@ -39,7 +41,8 @@
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed;
  * BadStroke without line or ring, for operations with a profile, a profile that crosses itself, is closed or
- * comes out at the back, one or areas drawn in the line's or ring's view; Torn where two vertices
+ * comes out at the back, one or areas drawn in the line's or ring's view; BadRegion where all that the ring
+ * encloses is masked; Torn where two vertices
  * are brought to one place. An empty mesh: empty outputs, silently. After AbortExecute: Modified().
  *
  * Demand-driven: an operation runs {Handles} and on, a layer {Shading} and on, a profile {Redraw} and on,

@@ -2,16 +2,22 @@
 
 #include "Shading/layer_list.h"
 #include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchEditArrays.h"
 #include "vtkOversketchEditCurves.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 using namespace oversketch;
 
@@ -227,6 +233,7 @@ void vtkOversketchEdit::Pipeline::FeedMesh(vtkPolyData* mesh)
   this->Start->Initialize();
   this->Start->ShallowCopy(this->Welding->Welded());
   AddPlaces(this->Start);
+  this->Welding->PutMask(mesh, this->Start);
   if (vtkDataArray* meanEdge = mesh->GetFieldData()->GetArray("MeanEdge"))
   {
     this->Start->GetFieldData()->AddArray(meanEdge);
@@ -273,6 +280,39 @@ void vtkOversketchEdit::Pipeline::RunWeights()
   this->Self->RunStage(this->WeightName());
 }
 
+vtkPolyData* vtkOversketchEdit::Pipeline::MaskedWeights()
+{
+  vtkPolyData* weights = this->Self->StageOutput(this->WeightName());
+  const std::vector<double> mask = MaskOf(weights);
+  if (mask.empty())
+  {
+    return weights;
+  }
+  const StepKey key({ WholeKey(weights) }, {});
+  if (this->Masked->GetNumberOfPoints() == 0 || this->MaskedSeen != key)
+  {
+    std::vector<char> region = ReadEditRegion(weights);
+    vtkDataArray* before = weights->GetPointData()->GetArray("EditWeight");
+    std::vector<double> weight(mask.size());
+    for (std::size_t v = 0; v < mask.size(); ++v)
+    {
+      weight[v] = (1.0 - mask[v]) * before->GetComponent(static_cast<vtkIdType>(v), 0);
+      region[v] = mask[v] >= 1.0 && region[v] == EditLabel::Inside ? EditLabel::Rim : region[v];
+    }
+    if (std::find(region.begin(), region.end(), EditLabel::Inside) == region.end())
+    {
+      throw Error(Failure::BadRegion,
+        "All that the ring encloses is masked, so nothing may move; free a part of it, or draw the ring "
+        "wider.");
+    }
+    this->Masked->ShallowCopy(weights);
+    this->Masked->GetPointData()->AddArray(ArrayOf<vtkUnsignedCharArray>("EditRegion", region));
+    this->Masked->GetPointData()->AddArray(ArrayOf<vtkDoubleArray>("EditWeight", weight));
+    this->MaskedSeen = key;
+  }
+  return this->Masked;
+}
+
 // Tells what turns with the surface: normals of the welded mesh, which has none of its own.
 void vtkOversketchEdit::Pipeline::AddNormals()
 {
@@ -288,7 +328,7 @@ void vtkOversketchEdit::Pipeline::AddNormals()
     this->RestNormals = normals;
     this->NormalsSeen = ofMesh;
   }
-  vtkPolyData* weights = this->Self->StageOutput(this->WeightName());
+  vtkPolyData* weights = this->MaskedWeights();
   const StepKey key({ WholeKey(weights) }, {});
   if (this->Weighted->GetNumberOfPoints() == 0 || this->WeightedSeen != key)
   {
@@ -331,7 +371,7 @@ int vtkOversketchEdit::Pipeline::Moved()
 
 std::shared_ptr<const Motion> vtkOversketchEdit::Pipeline::FindMotion()
 {
-  vtkPolyData* mesh = this->Self->StageOutput(this->WeightName());
+  vtkPolyData* mesh = this->MaskedWeights();
   const bool isLinear = this->Self->AsPublished || this->Self->Falloff == Linear;
   WeightOfShare weight;
   if (!this->HasImage)

@@ -156,6 +156,9 @@ struct vtkOversketchEdit::Pipeline
   vtkNew<vtkOversketchProfileDeform> Bend;
   vtkNew<vtkOversketchRetriangulate> Retriangulate;
 
+  // Weights on the mesh as its mask leaves them.
+  vtkNew<vtkPolyData> Masked;
+  oversketch::StepKey MaskedSeen;
   // Weights on the mesh, with normals that turn with it.
   vtkNew<vtkPolyData> Weighted;
   oversketch::StepKey WeightedSeen;
@@ -204,6 +207,9 @@ private:
   // Throws Error(BadStroke) for strokes that were drawn in the view of the line or of the ring.
   void RequireOwnView(vtkPolyData* strokes, const std::string& who, const std::string& plane) const;
   oversketch::EditFigures FiguresOf(vtkPolyData* last);
+  // What {Shading} or {Texture} made, where the mesh has a mask without masked vertices in the region. Throws
+  // Error(BadRegion) where no others are.
+  vtkPolyData* MaskedWeights();
   void AddNormals();
   std::shared_ptr<const oversketch::Motion> FindMotion();
 };

@@ -33,24 +33,26 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData. Points that a reader split for texture coordinates or
  * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's
- * normals are not read: the silhouette of the surface itself is meant.
- * Input 1 (Stroke): one stroke (one polyline in display coordinates with the cell arrays ViewTransform,
- * ProjectionTransform, ViewportSize).
+ * normals are not read: the silhouette of the surface itself is meant. Point array Mask, where it has one
+ * (vtkOversketchMask): points with 1 leave the region, so that neither remeshing nor deformation touches
+ * them; less counts as free. Input 1 (Stroke): one stroke (one polyline in display coordinates with the cell
+ * arrays ViewTransform, ProjectionTransform, ViewportSize).
  *
  * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are
  * interpolated (along texture seams once per side), and normals turn with the surface. Points outside the
- * region are bit-identical and, where nothing was remeshed, all points and cells keep their ids; else the
- * arrays of a 4-8 mesh are dropped.
+ * region and masked ones are bit-identical and, where nothing was remeshed, all points and cells keep their
+ * ids; else the arrays of a 4-8 mesh are dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): one message, that of the step that failed, with its
- * failure; Torn where the result is refused; output empty. An empty mesh gives an empty output silently.
+ * failure; BadRegion where all that the stroke would pull is masked; Torn where the result is refused; output
+ * empty. An empty mesh gives an empty output silently.
  * After AbortExecute the output is empty and the error code Cancelled; call Modified() before the next
  * Update.
  *
  * Demand-driven: a new stroke computes neither shape diameter nor whole-model mixture again, a new stroke in
  * the same view no silhouette either; a new target for the same section and region uses the factorisation
- * again; a changed attribute array re-runs no step. Deterministic: same input, same bits, whatever the number
- * of threads.
+ * again; a changed attribute array but Mask re-runs no step. Deterministic: same input, same bits, whatever
+ * the number of threads.
  *
  * @sa vtkOversketchLaplacianDeform vtkOversketchMixtureRegion vtkOversketchMatch
  */

@@ -1,6 +1,7 @@
 #include "vtkOversketchOneStrokePipeline.h"
 
 #include "vtkOversketchCarriedArrays.h"
+#include "vtkOversketchMaskArray.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellArray.h"
@@ -163,13 +164,25 @@ void vtkOversketchOneStroke::Pipeline::FeedMesh(vtkPolyData* mesh)
     const bool welded = this->Welding->Welded()->GetPoints() != mesh->GetPoints();
     return welded ? MeshKey(mesh, arrays) : MeshKey(mesh);
   };
-  if (this->Welding && key() == this->MeshKeySeen)
+  if (!this->Welding || key() != this->MeshKeySeen)
   {
-    return;
+    this->Welding = std::make_unique<oversketch::Weld>(mesh);
+    this->MeshKeySeen = key();
+    this->Mesh->ShallowCopy(this->Welding->Welded());
+    this->MaskSeen = { nullptr, 0 };
   }
-  this->Welding = std::make_unique<oversketch::Weld>(mesh);
-  this->MeshKeySeen = key();
-  this->Mesh->ShallowCopy(this->Welding->Welded());
+  this->FeedMask(mesh);
+}
+
+void vtkOversketchOneStroke::Pipeline::FeedMask(vtkPolyData* mesh)
+{
+  vtkDataArray* mask = mesh->GetPointData()->GetArray(maskName);
+  const std::pair<const vtkDataArray*, vtkMTimeType> seen{ mask, mask ? mask->GetMTime() : 0 };
+  if (seen != this->MaskSeen)
+  {
+    this->Welding->PutMask(mesh, this->Mesh);
+    this->MaskSeen = seen;
+  }
 }
 
 void vtkOversketchOneStroke::Pipeline::FeedStroke(vtkPolyData* stroke)
@@ -265,6 +278,24 @@ const char* vtkOversketchOneStroke::Pipeline::Corrected(const char* before,
   return judged.betterThan(plain) ? again : deform;
 }
 
+void vtkOversketchOneStroke::Pipeline::RunDeformation(const char* stage)
+{
+  try
+  {
+    this->Self->RunStage(stage);
+  }
+  catch (const Error& error)
+  {
+    if (error.failure() != Failure::BadRegion || MaskedPointsOf(this->Mesh).empty())
+    {
+      throw;
+    }
+    throw Error(Failure::BadRegion,
+      "So much of what the stroke was drawn beside is masked that nothing may follow it; free more of it, or "
+      "draw beside a part that is free.");
+  }
+}
+
 bool vtkOversketchOneStroke::Pipeline::RemeshingKept()
 {
   const int folds = this->Folds("RegionBorder");
@@ -304,7 +335,7 @@ StrokeEffect vtkOversketchOneStroke::Pipeline::Run(int candidate)
   }
   if (self->Remesh != RemeshOn)
   {
-    self->RunStage("Deform");
+    this->RunDeformation("Deform");
     this->Deformation = this->Corrected("RegionBorder", "Deform", "Correction", "DeformCorrected");
   }
   const bool automatic = self->Remesh == RemeshAuto && !self->AsPublished;
@@ -391,7 +422,7 @@ void vtkOversketchOneStroke::Pipeline::RunRemeshed()
   releaseLargeFactor(this->Deform);
   releaseLargeFactor(this->DeformCorrected);
   this->Self->RunStage("Stretch");
-  this->Self->RunStage("DeformRemeshed");
+  this->RunDeformation("DeformRemeshed");
   const char* remeshed =
     this->Corrected("Stretch", "DeformRemeshed", "CorrectionRemeshed", "DeformRemeshedCorrected");
   releaseLargeFactor(this->DeformRemeshed);

@@ -43,11 +43,14 @@ struct vtkOversketchOneStroke::Pipeline
 
   // Brings the persistent inner inputs up to date; they change only where what the steps read has changed.
   void FeedMesh(vtkPolyData* mesh);
+  void FeedMask(vtkPolyData* mesh);
   void FeedStroke(vtkPolyData* stroke);
   // The curves that a stroke in the present view can take hold of.
   void RunCurves();
   void SetAmendments(bool on);
   bool WantsRemeshing();
+  // Deforms; throws Error(BadRegion) that names the mask where that leaves no handle.
+  void RunDeformation(const char* stage);
   // Remeshes, deforms what was made, remeshes again, and says whether that is kept.
   void RunRemeshed();
   bool RemeshingKept();
@@ -113,6 +116,7 @@ struct vtkOversketchOneStroke::Pipeline
   vtkNew<vtkPolyData> Mesh, Stroke, View;
   oversketch::MeshKey MeshKeySeen;
   std::unique_ptr<oversketch::Weld> Welding;
+  std::pair<const vtkDataArray*, vtkMTimeType> MaskSeen{ nullptr, 0 };
   std::vector<double> ViewSeen;
   std::pair<const vtkPolyData*, vtkMTimeType> StrokeSeen{ nullptr, 0 };
 

@@ -11,16 +11,18 @@
  * concave rule runs away over the model.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData, with point arrays Region and RegionSeed, one component each,
- * not 0 meaning yes (vtkOversketchMixtureRegion). Where no vertex is a seed, no piece is dropped.
+ * not 0 meaning yes (vtkOversketchMixtureRegion). Where no vertex is a seed, no piece is dropped. Point array
+ * Mask, where it has one (vtkOversketchMask): vertices with 1 are neither in the region nor seeds.
  *
  * Output 0: the input with Region, unsigned char, replaced. Everything else is passed; nothing is
  * interpolated or dropped.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, MissingArray; BadRegion when no vertex is
- * left in the region or none outside it. A mesh without points gives an empty output silently.
+ * left in the region or none outside it, and when all seeds are masked. A mesh without points gives an empty
+ * output silently.
  *
  * Deterministic. Cost: linear in the vertices. The array is kept, as the same object, while points, polygons,
- * Region, RegionSeed and parameters stand.
+ * Region, RegionSeed, Mask and parameters stand.
  *
  * @sa vtkOversketchMixtureRegion
  */

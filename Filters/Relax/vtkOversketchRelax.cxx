@@ -2,6 +2,7 @@
 
 #include "Relax/relax.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
@@ -71,6 +72,14 @@ struct vtkOversketchRelax::Inner
     this->Welding = std::make_unique<Weld>(bare);
     this->MeshSeen = MeshKey(mesh);
     this->Mesh->ShallowCopy(this->Welding->Welded());
+  }
+  // The mask of each vertex.
+  std::vector<double> MaskOfVertices(vtkPolyData* mesh) const
+  {
+    vtkNew<vtkPolyData> masked;
+    masked->ShallowCopy(this->Mesh);
+    this->Welding->PutMask(mesh, masked);
+    return MaskOf(masked);
   }
   void FeedStrokes(vtkPolyData* strokes)
   {
@@ -153,6 +162,7 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
       options.strength = this->Strength;
       options.usePressure = this->UsePressure;
       options.featureAngle = this->FeatureAngle;
+      options.mask = inner.MaskOfVertices(mesh);
       const StepKey key({ WholeKey(mesh), WholeKey(curves) },
         { options.radius, options.strength, options.usePressure ? 1.0 : 0.0, options.featureAngle });
       inner.Kept.Provide(key,
@@ -169,8 +179,12 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
           if (this->Strength > 0.0 && std::none_of(band.share.begin(), band.share.end(), moves))
           {
             throw Error(Failure::BadStroke,
-              "No point of the mesh within {Radius} %1 of the stroke may move; draw with a larger radius, or "
-              "where the mesh is finer.",
+              options.mask.empty() ? "No point of the mesh within {Radius} %1 of the stroke may move; draw "
+                                     "with a larger radius, or "
+                                     "where the mesh is finer."
+                                   : "No point of the mesh within {Radius} %1 of the stroke may move; draw "
+                                     "with a larger radius, "
+                                     "where the mesh is finer, or beside the mask.",
               options.radius);
           }
           const std::vector<Vector3> places = relaxed(band, context);

@@ -12,24 +12,26 @@
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; borders, non-manifold edges and any orientation are tolerated.
  * Points that a reader split for texture coordinates or normals are welded for computing (exactly equal
- * positions), so seams stay closed.
+ * positions), so seams stay closed. Point array Mask, where it has one (vtkOversketchMask): 1: the point
+ * stays, as those of borders do; between, it moves by 1 - Mask of its way.
  * Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform, ProjectionTransform,
  * ViewportSize; any number, each with its own view, all at once. Cell array Radius [model length] goes before
  * the parameter, point array Pressure is read with UsePressure.
  *
  * Output 0: the mesh with other points, in its own type; cells and arrays are passed, point normals turn with
- * the surface. Points beyond the band, on borders and at edges with more than two triangles are
- * bit-identical.
+ * the surface. Points beyond the band, masked ones, and those on borders and at edges with more than two
+ * triangles are bit-identical.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; BadStroke, naming the stroke, where there
- * is none, where it misses the mesh, for values that are not finite, a radius that is not positive, and where
- * no point may move, as the triangles are larger than the band. An empty mesh gives an empty output silently.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh; MissingArray for a Mask that is not one
+ * finite number a point; BadStroke, naming the stroke, where there is none, where it misses the mesh, for
+ * values that are not finite, a radius that is not positive, and where no point may move, as the triangles
+ * are larger than the band or all of it is masked. An empty mesh gives an empty output silently.
  * A run that AbortExecute stopped needs Modified() before the next.
  *
  * Deterministic: same result bit for bit for any number of threads. The first stroke on a mesh makes its ray
  * scene; each further one costs what its band does, and a look at each point of the mesh.
  *
- * @sa vtkOversketchSurfaceStroke vtkOversketchAugment
+ * @sa vtkOversketchMask vtkOversketchSurfaceStroke vtkOversketchAugment
  */
 #ifndef vtkOversketchRelax_h
 #define vtkOversketchRelax_h

@@ -6,6 +6,7 @@
 #include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
@@ -281,6 +282,7 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
       rules.gap = static_cast<InsertRules::Gap>(this->Gap);
       rules.join = this->JoinRuns;
       rules.clean = this->Clean;
+      rules.left = MaskedPointsOf(input);
       const InsertedCurves result = insertCurves(mesh, read.Curves, kept, rules, ContextOf(this));
       writeMesh(input, result, made[0]);
       writeCurves(result.curves, result.mesh, curves, read.Cells, made[1]);

@@ -11,7 +11,8 @@
  * hides it (Bridge); and narrow triangles at the curves are cleaned (Clean). All four off is as published;
  * with EmbedSegments, JoinRuns.
  *
- * Input 0 (Mesh): triangle mesh, vtkPolyData. Borders and non-manifold edges are tolerated.
+ * Input 0 (Mesh): triangle mesh, vtkPolyData. Borders and non-manifold edges are tolerated. Triangles at a
+ * vertex whose point array Mask is 1 (vtkOversketchMask) are split, not cleaned.
  * Input 1 (Curves): curves of vtkOversketchProjectCurve on this mesh: point arrays CurveT, MeshCell,
  * MeshVertices, MeshWeights; cell arrays StrokeId, Closed and those of the view. Runs of one StrokeId make
  * one curve and follow each other.

@@ -5,6 +5,7 @@
 #include "vtkOversketchEditArrays.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchKept.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkCellArray.h"
@@ -205,7 +206,7 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
   ++self->RetriangulationCount;
   const double meanEdge =
     FieldValue(mesh, "MeanEdge", "mesh", "pass the mesh through vtkOversketchMeanEdge when it is loaded");
-  const std::vector<char> region = ReadEditRegion(mesh);
+  const std::vector<char> region = ReadEditRegion(mesh), left = MaskedPointsOf(mesh);
   const std::shared_ptr<const MeshData> moved = SharedMesh(mesh);
   const int count = moved->Surface().vertexCount();
   const std::vector<Chain> chains[2] = { ReadChains(curves[0], count, "reference curve"),
@@ -223,7 +224,8 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
   if (self->Rule == Curvature)
   {
     result = retriangulateByCurvature(
-      { moved->Surface(), moved->Surface().points, region, vertices, meanEdge, asFloats }, ContextOf(self));
+      { moved->Surface(), moved->Surface().points, region, vertices, meanEdge, asFloats, {}, left },
+      ContextOf(self));
   }
   else
   {
@@ -233,7 +235,7 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
       self->Known ? *self->Known
                   : motionBetween(before, this->Rest->Neighbours(), moved->Surface().points, ContextOf(self));
     result = retriangulateEdit(
-      { before, moved->Surface().points, region, vertices, meanEdge, asFloats, sizesOf(mesh) },
+      { before, moved->Surface().points, region, vertices, meanEdge, asFloats, sizesOf(mesh), left },
       motion,
       ContextOf(self));
   }

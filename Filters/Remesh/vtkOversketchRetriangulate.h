@@ -14,7 +14,8 @@
  * Input 0 (Mesh): triangle mesh, vtkPolyData, moved by the edit, with point array EditRegion (0 outside, 1 on
  * the boundary, 2 strictly inside; vtkOversketchEnclose) and field array MeanEdge (vtkOversketchMeanEdge);
  * under rule Edit point array EdgeLength (1 component, vtkOversketchRefineBetween), where there is one, takes
- * the place of that at each vertex.
+ * the place of that at each vertex. Triangles at a vertex whose point array Mask is 1 (vtkOversketchMask) are
+ * left.
  * Input 1 (Reference): the reference curve, polylines with point array VertexId (1 component): the vertex of
  * the mesh that each point is.
  * Input 2 (Boundary): the boundary curve, of the same form.

@@ -4,6 +4,7 @@
 
 #include "Intersection/crossing_faces.h"
 #include "Stellar/displace.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkObjectFactory.h"
@@ -126,7 +127,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
   }
   const vtkIdType done = this->DisplaceCount;
   this->Internals->Step.Provide(step,
-    { sketch ? WholeKey(sketch) : MeshKey() },
+    { sketch ? WholeKey(sketch) : MeshKey(), MaskKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::Rise,
@@ -147,6 +148,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
       options.taper = this->Taper;
       options.holdBack = this->HoldBack;
       options.keepBaseNormals = this->KeepBaseNormals;
+      options.mask = MaskOf(step.mesh);
       options.along = this->Normals == Current ? RiseAlong::Current : RiseAlong::Base;
       options.combine = this->Combine == Sum ? oversketch::Combine::Sum : oversketch::Combine::Nearest;
       std::vector<std::vector<Vector3>> moves;

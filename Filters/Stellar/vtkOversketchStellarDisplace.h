@@ -8,11 +8,12 @@
  * stroke (Normals), where several curves reach one, the nearest acts alone (Combine), and none goes so far
  * that it meets another part of the model (HoldBack).
  *
- * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
- * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
- * Normals, Pressure and Room are read, and the cell arrays Radius, Height and Sharpness go before parameters.
- * Input 2 (Sketch, optional): output 1 of vtkOversketchSilhouetteSketch, points and cells those of the curves
- * one to one. With it heights are not read.
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Points move by 1 -
+ * Mask of their way, a point array that vtkOversketchMask makes. Input 1 (Curves): polylines of
+ * vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays Normals, Pressure and Room are
+ * read, and the cell arrays Radius, Height and Sharpness go before parameters. Input 2 (Sketch, optional):
+ * output 1 of vtkOversketchSilhouetteSketch, points and cells those of the curves one to one. With it heights
+ * are not read.
  *
  * Output 0 (Mesh): the 4-8 mesh; point arrays Feature (share of the height) and Displacement [model length],
  * StellarMoved with 2 where a vertex rose. The stroke ends here: BaseNormal and CurveDigest are gone, CurveId

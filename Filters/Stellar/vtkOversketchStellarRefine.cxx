@@ -3,6 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Stellar/refine.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -76,7 +77,7 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
     static_cast<double>(this->MaximumFaces) };
   const FeatureCurves curves = CurvesOf(step.curves);
   this->Internals->Step.Provide(step,
-    { SourceKey(step) },
+    { SourceKey(step), MaskKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::None,
@@ -93,6 +94,7 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
       options.seedCurveFaces = this->SeedCurveFaces;
       options.maximumGeneration = this->MaximumGeneration;
       options.maximumFaces = this->MaximumFaces;
+      options.staying = { MaskedPointsOf(step.mesh) };
       Forest forest = before.roomyCopy();
       this->Internals->GiveNormals(step.mesh, forest, step.context);
       const Source source = SourceOf(step, before, this->Internals->Surface);

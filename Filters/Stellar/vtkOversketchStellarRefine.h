@@ -6,7 +6,8 @@
  * each vertex that is nearer to a curve than the radius are refined. When that ends is left open there: here
  * at an edge length or generation. Departures, each with a switch: SeedCurveFaces, ConnectedOnly, FineFoot.
  *
- * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Between two points
+ * whose point array Mask is 1 (vtkOversketchMask) new ones lie in the middle.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new

@@ -3,6 +3,7 @@
 #include "vtkOversketchFilterTools.h"
 
 #include "Stellar/simplify.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarTools.h"
 
 #include "vtkInformationVector.h"
@@ -47,7 +48,7 @@ void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInf
     step.curves = nullptr;
   }
   this->Internals->Provide(step,
-    {},
+    { MaskKey(step.mesh) },
     { this->Tolerance,
       this->Radius,
       static_cast<double>(this->Distance),
@@ -62,6 +63,7 @@ void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInf
       options.radius = LengthOf(this->Radius, 0.03, before, "Radius");
       options.distance = this->Distance == Geodesic ? CurveDistance::Geodesic : CurveDistance::Straight;
       options.connectedOnly = this->ConnectedOnly;
+      options.staying = { MaskedPointsOf(step.mesh) };
       const FeatureCurves curves = step.curves ? CurvesOf(step.curves) : FeatureCurves();
       const std::shared_ptr<const Raised> raised = RaisedOf(step.mesh);
       if (step.curves && raised && raised->curves == WholeKey(step.curves) &&

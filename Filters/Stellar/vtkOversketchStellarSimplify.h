@@ -7,7 +7,8 @@
  * triangles that it split, from the finest level to the coarsest; what a displacement along the curves moved
  * stays, as do snapped vertices and crests of earlier strokes.
  *
- * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md.
+ * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Points whose point
+ * array Mask is 1 (vtkOversketchMask) are kept.
  * Input 1 (Curves, optional): polylines of vtkOversketchSurfaceStroke, whose features are kept.
  *
  * Output 0 (Mesh): the 4-8 mesh; what is left of points is as it was. Cell arrays of several cells that

@@ -4,6 +4,7 @@
 
 #include "Stellar/refine.h"
 #include "Stellar/smooth.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -38,7 +39,7 @@ void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInfor
   const std::vector<double> values{ static_cast<double>(this->Rings), static_cast<double>(this->Iterations) };
   const FeatureCurves curves = CurvesOf(step.curves);
   this->Internals->Step.Provide(step,
-    { SourceKey(step), PartsKey(step.mesh) },
+    { SourceKey(step), PartsKey(step.mesh), MaskKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::Slide,
@@ -49,6 +50,7 @@ void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInfor
       options.rings = this->Rings;
       options.iterations = this->Iterations;
       options.parts = PartsOf(step.mesh, before);
+      options.staying = { MaskedPointsOf(step.mesh) };
       const MidpointRule rule =
         midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
       Forest forest = before;

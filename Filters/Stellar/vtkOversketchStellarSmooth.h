@@ -9,7 +9,7 @@
  * spoil a triangle are refused: an angle would be under 5 degrees and smaller than before.
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
- * (optional): as for vtkOversketchStellarSnap.
+ * (optional): as for vtkOversketchStellarSnap. Points whose point array Mask is 1 (vtkOversketchMask) stay.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, to which vertices

@@ -6,6 +6,7 @@
 #include "Stellar/refine.h"
 #include "Stellar/snap.h"
 #include "Stellar/snap_foot.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchStellarSource.h"
 #include "vtkOversketchStellarTools.h"
 
@@ -45,7 +46,7 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
   }
   const FeatureCurves curves = CurvesOf(step.curves);
   this->Internals->Step.Provide(step,
-    { SourceKey(step), PartsKey(step.mesh) },
+    { SourceKey(step), PartsKey(step.mesh), MaskKey(step.mesh) },
     values,
     &curves,
     StellarStep::Motion::Slide,
@@ -56,6 +57,7 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
       options.order = this->Order == AllAtOnce ? SnapOrder::AllAtOnce : SnapOrder::Nearest;
       options.maximumResidualRounds = this->MaximumResidualRounds;
       options.parts = PartsOf(step.mesh, before);
+      options.staying = { MaskedPointsOf(step.mesh) };
       const MidpointRule rule =
         midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
       Forest forest = before.roomyCopy();
@@ -73,6 +75,7 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
         foot.sharpness = this->Sharpness;
         foot.connectedOnly = this->ConnectedOnly;
         foot.parts = options.parts;
+        foot.staying = options.staying;
         this->FootMoved = snapFoot(forest, curves, foot, step.context).moved;
       }
       if (report.split)

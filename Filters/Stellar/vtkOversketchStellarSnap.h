@@ -12,7 +12,7 @@
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Cell array Chart
  * (optional): one whole number per triangle, as for vtkOversketchRemesh; where neighbours have different ones
- * there is a seam between them.
+ * there is a seam between them. Points whose point array Mask is 1 (vtkOversketchMask) stay.
  * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
  * Normals and Pressure are read, and the cell arrays Radius, Height and Sharpness go before parameters.
  * Input 2 (Source, optional): output 1 of vtkOversketchStellarBase or vtkOversketchTerrain, on which new

@@ -2,6 +2,7 @@
 
 #include "Ray/detail_transfer.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchWeld.h"
 
 #include "vtkDataArray.h"
@@ -54,8 +55,16 @@ void vtkOversketchDetailTransfer::Execute(vtkInformationVector** inputs, vtkInfo
   bare->SetPoints(input->GetPoints());
   bare->SetPolys(input->GetPolys());
   const Weld welding(bare);
-  const std::vector<Vector3> places = transferDetail(
-    rest, now.points, SharedMesh(welding.Welded())->Surface().points, ContextOf(this, 0.1, 0.9));
+  const std::vector<Vector3> before = SharedMesh(welding.Welded())->Surface().points;
+  std::vector<Vector3> places = transferDetail(rest, now.points, before, ContextOf(this, 0.1, 0.9));
+  vtkNew<vtkPolyData> masked;
+  masked->ShallowCopy(welding.Welded());
+  welding.PutMask(input, masked);
+  const std::vector<char> stays = MaskedPointsOf(masked);
+  for (std::size_t v = 0; v < stays.size(); ++v)
+  {
+    places[v] = stays[v] ? before[v] : places[v];
+  }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(places.size()));

@@ -5,6 +5,7 @@
 #include "Mesh/weld.h"
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchMaskArray.h"
 #include "vtkOversketchSources.h"
 
 #include "vtkCellArray.h"
@@ -18,6 +19,7 @@
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -376,6 +378,19 @@ Weld::Weld(vtkPolyData* mesh)
 }
 
 Weld::~Weld() = default;
+
+void Weld::PutMask(vtkPolyData* mesh, vtkPolyData* welded) const
+{
+  const std::vector<double> mask = MaskOf(mesh);
+  std::vector<double> ofVertices(
+    mask.empty() ? 0 : static_cast<std::size_t>(welded->GetNumberOfPoints()), 0.0);
+  for (std::size_t i = 0; i < mask.size(); ++i)
+  {
+    double& one = ofVertices[static_cast<std::size_t>(this->VertexOf(static_cast<vtkIdType>(i)))];
+    one = std::max(one, mask[i]);
+  }
+  oversketch::PutMask(ofVertices, welded);
+}
 
 void Weld::Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) const
 {

@@ -46,6 +46,10 @@ public:
     return this->Vertices.empty() ? point : this->Vertices[static_cast<std::size_t>(point)];
   }
 
+  // Gives the welded mesh the mask of the mesh that was welded (vtkOversketchMaskArray.h), of points that are
+  // one vertex the largest; takes it away where that has none.
+  void PutMask(vtkPolyData* mesh, vtkPolyData* welded) const;
+
   // mesh with the points of moved, which has the welded mesh's connectivity. Everything else is passed; point
   // normals turn as the surface does, and are not touched where it did not move.
   void Move(vtkPolyData* mesh, vtkPolyData* moved, vtkPolyData* output) const;

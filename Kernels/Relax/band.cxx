@@ -322,10 +322,12 @@ RelaxBand relaxBand(const Mesh& mesh,
     }
   }
   const std::vector<char> held = heldVertices(part, options.featureAngle);
+  const std::vector<double> mask = valuesAt(options.mask, part.vertices);
   for (std::size_t v = 0; v < held.size(); ++v)
   {
-    part.region[v] = part.region[v] && !held[v];
-    band.share[v] = part.region[v] ? band.share[v] : 0.0;
+    const double free = mask.empty() ? 1.0 : 1.0 - mask[v];
+    part.region[v] = part.region[v] && !held[v] && free > 0.0;
+    band.share[v] = part.region[v] ? free * band.share[v] : 0.0;
   }
   return band;
 }

@@ -19,6 +19,8 @@ struct RelaxOptions
   double strength = 1.0;       // share of the way to the relaxed place, 0 to 1
   bool usePressure = true;     // which the strength is multiplied by, where a curve has it
   double featureAngle = 180.0; // points at edges that bend by more stay [degrees]; 180: none
+  // Of each vertex, what its share is lessened by, 1: it stays, as those of a border do; empty: nothing.
+  std::vector<double> mask = {};
 };
 
 // A band and what its rim goes on as: the vertices nearer than 5/2 of the radius to a curve, by a way over

@@ -171,8 +171,9 @@ private:
       return;
     }
     const int c = this->Mesh.opposite(both[0], a, b), d = this->Mesh.opposite(both[1], a, b);
-    if (c < 0 || d < 0 || c == d || this->Mesh.joined(c, d) || this->Mesh.neighbours(a).size() < 4 ||
-        this->Mesh.neighbours(b).size() < 4)
+    const auto isLeft = [this](int v) { return this->Mesh.isLeft(v); };
+    if (isLeft(a) || isLeft(b) || isLeft(c) || isLeft(d) || c < 0 || d < 0 || c == d ||
+        this->Mesh.joined(c, d) || this->Mesh.neighbours(a).size() < 4 || this->Mesh.neighbours(b).size() < 4)
     {
       return;
     }
@@ -206,12 +207,13 @@ private:
     return this->angleOf(t) < 1.0 || within(this->Mesh.cross(t), normal, turnCosine);
   }
 
-  // Whether a vertex may leave its place: on no border, on no edge over 25 degrees, no end of a curve.
+  // Whether a vertex may leave its place: on no border, on no edge over 25 degrees, no end of a curve, of no
+  // triangle that is left.
   bool movable(int v) const
   {
     for (const int w : this->Mesh.neighbours(v))
     {
-      if (!this->smooth(v, w))
+      if (this->Mesh.isLeft(v) || this->Mesh.isLeft(w) || !this->smooth(v, w))
       {
         return false;
       }

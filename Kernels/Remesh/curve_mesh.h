@@ -61,6 +61,9 @@ public:
   int splitTriangle(int t, const std::array<double, 3>& weights);
   // A vertex on an edge, (1 - s) a + s b; added to the curves that have this edge.
   int splitEdge(int a, int b, double s);
+  // Input vertices whose triangles are only split, a byte each; empty: none.
+  std::vector<char> left;
+  bool isLeft(int v) const { return v >= 0 && v < static_cast<int>(this->left.size()) && this->left[v] != 0; }
   // The edge of two triangles turns into the other diagonal.
   void flip(int a, int b);
   // `from` becomes `to`; the triangles at their edge go, and `from` leaves its curves.

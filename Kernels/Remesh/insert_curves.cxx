@@ -584,6 +584,7 @@ InsertedCurves insertCurves(const Mesh& mesh,
   }
   if (rules.clean)
   {
+    work.left = rules.left;
     cleanAlongCurves(work, context);
   }
   InsertedCurves result = resultOf(work, stored.size());

@@ -43,6 +43,8 @@ struct InsertRules
   };
   Gap gap = Gap::Viewer; // what is tried first over a gap
   bool join = false;     // without bridges: runs are joined by segments like all others
+  // Per vertex: cleaning changes no triangle of such a one; empty: none.
+  std::vector<char> left = {};
 };
 
 struct InsertedCurves

@@ -27,7 +27,7 @@ constexpr double finest = 0.25, coarsest = 1.5;
 constexpr double splitOver = 1.5, collapseUnder = 0.5;
 constexpr int curvatureRounds = 5;
 
-// Faces that may change: those at a vertex strictly inside.
+// Faces that may change: those at a vertex strictly inside, but for those that are left.
 std::vector<char> facesInside(const RetriangulateInput& input)
 {
   const Mesh& mesh = input.rest;
@@ -35,7 +35,8 @@ std::vector<char> facesInside(const RetriangulateInput& input)
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     const Triangle& c = mesh.triangles[t];
-    const bool whole = c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
+    const bool isLeft = !input.left.empty() && (input.left[c[0]] || input.left[c[1]] || input.left[c[2]]);
+    const bool whole = c[0] != c[1] && c[1] != c[2] && c[2] != c[0] && !isLeft;
     active[t] =
       whole && (input.region[c[0]] == 2 || input.region[c[1]] == 2 || input.region[c[2]] == 2) ? 1 : 0;
   }

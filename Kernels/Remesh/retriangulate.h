@@ -35,6 +35,7 @@ struct RetriangulateInput
   double meanEdge = 0.0;                // of the mesh as it was loaded [model length]
   bool asFloats = false;                // what comes out is stored in them: places differ there, too
   std::vector<double> sizes = {};       // per vertex the mean edge to be there instead; none: that everywhere
+  std::vector<char> left = {};          // per vertex: faces at such a one do not change; empty: none
 };
 
 // A vertex of a curve: the curve's point `from`, or t of the way to the one after it.

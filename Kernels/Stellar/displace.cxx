@@ -96,6 +96,12 @@ void checkSketch(const FeatureCurves& curves, const std::vector<std::vector<Vect
   }
 }
 
+// The share of its way that a vertex goes.
+double freeOf(const DisplaceOptions& options, int vertex)
+{
+  return options.mask.empty() ? 1.0 : 1.0 - options.mask[vertex];
+}
+
 // Rises that all curves together make, in the order in which they reach the vertices.
 std::vector<Rise> risesOf(const Forest& forest,
   const FeatureCurves& curves,
@@ -381,8 +387,9 @@ DisplaceReport displace(const Forest& before,
     checkSketch(curves, *options.sketch);
   }
   std::vector<Rise> rises = risesOf(before, curves, reached, options);
-  rises.erase(
-    std::remove_if(rises.begin(), rises.end(), [](const Rise& rise) { return rise.feature == 0.0; }),
+  rises.erase(std::remove_if(rises.begin(),
+                rises.end(),
+                [&](const Rise& rise) { return rise.feature == 0.0 || freeOf(options, rise.vertex) == 0.0; }),
     rises.end());
   if (!options.sketch)
   {
@@ -398,8 +405,9 @@ DisplaceReport displace(const Forest& before,
 
   DisplaceReport report;
   startFrom(before, reached.changing, after);
-  for (const Rise& rise : rises)
+  for (Rise& rise : rises)
   {
+    rise.move *= freeOf(options, rise.vertex);
     after.vertices[rise.vertex].position += rise.move;
     after.vertices[rise.vertex].moved |= Forest::Displaced;
     after.displacement[rise.vertex] = rise.move;
@@ -412,16 +420,21 @@ DisplaceReport displace(const Forest& before,
     reportRoom(curves, options, report);
   }
   report.moved = static_cast<int>(rises.size());
-  report.crests = static_cast<int>(reached.crest.size());
   for (const Binding& at : reached.crest)
   {
+    const auto isFree = [&](int v) { return freeOf(options, v) > 0.0; };
+    if (!std::all_of(at.vertices.begin(), at.vertices.end(), isFree))
+    {
+      continue;
+    }
     double value = 0.0;
     for (int k = 0; k < 3; ++k)
     {
       value += at.weights[k] * after.feature[at.vertices[k]];
     }
-    report.crestMinimum = &at == reached.crest.data() ? value : std::min(report.crestMinimum, value);
+    report.crestMinimum = report.crests == 0 ? value : std::min(report.crestMinimum, value);
     report.crestSum += value;
+    ++report.crests;
   }
   endStroke(after, reached.changing, options.keepBaseNormals);
   return report;

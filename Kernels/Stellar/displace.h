@@ -47,6 +47,8 @@ struct DisplaceOptions
   // A point for each point of each curve: vertices move by sketch - curve there, in place of h times a
   // normal.
   const std::vector<std::vector<Vector3>>* sketch = nullptr;
+  // Of each vertex, what its way is lessened by, 1: it stays, and is no part of a crest; empty: nothing.
+  std::vector<double> mask = {};
 };
 
 struct DisplaceReport

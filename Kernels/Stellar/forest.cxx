@@ -1,6 +1,7 @@
 #include "Stellar/forest.h"
 
 #include "Mesh/context.h"
+#include "Stellar/staying.h"
 
 #include <algorithm>
 #include <array>
@@ -170,6 +171,10 @@ void Forest::putVertex(int m, const MidpointRule& rule)
   if (!this->feature.empty())
   {
     this->feature[m] = 0.5 * (this->feature[ia] + this->feature[ic]);
+  }
+  if (rule.staying && rule.staying->at(*this, ia) && rule.staying->at(*this, ic))
+  {
+    return;
   }
   if (rule.curves && a.curveId >= 0 && a.curveId == c.curveId)
   {

@@ -14,6 +14,7 @@ namespace oversketch
 {
 
 struct Context;
+struct Staying;
 
 // A point of the base mesh for a source that knows the original surface: weights of the root's corners.
 struct SourcePlace
@@ -26,13 +27,14 @@ struct SourcePlace
 // Where the original surface is at a place.
 using Source = std::function<Vector3(const SourcePlace&)>;
 
-// The rule for a new vertex, which follows, in this order: the curve that both ends of its edge are snapped
-// to; the source, if both ends lie on it; else the middle of its edge.
+// The rule for a new vertex, which follows, in this order: its edge, where both ends stay; the curve that
+// both ends are snapped to; the source, if both ends lie on it; else the middle of its edge.
 struct MidpointRule
 {
   const FeatureCurves* curves = nullptr; // that the vertices' curveId means
   Source source;
-  double sourceTolerance = 0.0; // [model length] how near is "on it"; the spec has 1e-9 diagonals
+  double sourceTolerance = 0.0;     // [model length] how near is "on it"; the spec has 1e-9 diagonals
+  const Staying* staying = nullptr; // null: none stays
 };
 
 class Forest

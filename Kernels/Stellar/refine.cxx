@@ -381,7 +381,8 @@ Forest refine(Forest forest,
 {
   checkRefineOptions(curves, options);
   checkSnapped(forest, curves);
-  const MidpointRule rule = midpointRule(forest, &curves, source);
+  MidpointRule rule = midpointRule(forest, &curves, source);
+  rule.staying = &options.staying;
   int done = 0;
   {
     Refiner refiner(forest, curves, options, context);

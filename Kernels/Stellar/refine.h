@@ -3,7 +3,7 @@
 #define oversketch_kernels_stellar_refine_h
 
 #include "Stellar/distance.h"
-#include "Stellar/forest.h"
+#include "Stellar/staying.h"
 
 #include <optional>
 
@@ -31,6 +31,7 @@ struct RefineOptions
   // Faces that may be added, each of which takes some 900 bytes on the way (ours; 16 million in all would
   // take 14 GB). What needs twice as many or more is foreseen.
   int maximumFaces = 4000000;
+  Staying staying = {}; // what is split between these stays flat
 };
 
 // The canonical forest after sweeps that split every face whose mark holds, until none does. New vertices

@@ -103,7 +103,7 @@ std::optional<Forest> simplify(const Forest& forest,
   for (int v = 0; v < static_cast<int>(forest.vertices.size()); ++v)
   {
     const Forest::Vertex& vertex = forest.vertices[v];
-    if (near[v] || !forest.isVertex(v) || vertex.parents[0] < 0 ||
+    if (near[v] || options.staying.at(forest, v) || !forest.isVertex(v) || vertex.parents[0] < 0 ||
         (!options.weldSnapped && (vertex.curveId >= 0 || (vertex.moved & Forest::Crest))))
     {
       continue;

@@ -3,6 +3,7 @@
 #define oversketch_kernels_stellar_simplify_h
 
 #include "Stellar/displace.h"
+#include "Stellar/staying.h"
 
 #include <optional>
 
@@ -20,6 +21,7 @@ struct SimplifyOptions
   double radius = 0.0;
   CurveDistance distance = CurveDistance::Straight;
   bool connectedOnly = true;
+  Staying staying = {}; // these do not go
 };
 
 // A forest before the last displacement, and what curves reached of it.

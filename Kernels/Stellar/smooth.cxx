@@ -12,8 +12,9 @@ namespace
 {
 
 // Vertices around snapped ones that may move, ascending.
-std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::vector<int>& parts)
+std::vector<int> verticesToSmooth(const Forest& forest, const SmoothOptions& options)
 {
+  const int rings = options.rings;
   const int slots = static_cast<int>(forest.vertices.size());
   std::vector<char> chosen(slots, 0);
   for (int v = 0; v < slots; ++v)
@@ -43,7 +44,7 @@ std::vector<int> verticesToSmooth(const Forest& forest, int rings, const std::ve
   {
     const Forest::Vertex& vertex = forest.vertices[v];
     return vertex.curveId >= 0 || (vertex.moved & Forest::Crest) || vertex.face < 0 || forest.onBoundary(v) ||
-           forest.onSeam(v, parts);
+           forest.onSeam(v, options.parts) || options.staying.at(forest, v);
   };
   all.erase(std::remove_if(all.begin(), all.end(), pinned), all.end());
   return all;
@@ -101,7 +102,7 @@ SmoothReport smooth(Forest& forest,
   {
     throw Error(Failure::BadStroke, "Smoothing needs a part for each triangle of the base mesh, or none.");
   }
-  const std::vector<int> vertices = verticesToSmooth(forest, options.rings, options.parts);
+  const std::vector<int> vertices = verticesToSmooth(forest, options);
   std::vector<Vector3> wanted(vertices.size());
   SmoothReport report;
   for (int iteration = 0; iteration < options.iterations; ++iteration)

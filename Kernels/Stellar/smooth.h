@@ -3,7 +3,7 @@
 #ifndef oversketch_kernels_stellar_smooth_h
 #define oversketch_kernels_stellar_smooth_h
 
-#include "Stellar/forest.h"
+#include "Stellar/staying.h"
 
 #include <vector>
 
@@ -19,6 +19,7 @@ struct SmoothOptions
   int iterations = 1;        // at least 0
   double minimumAngle = 5.0; // [degrees] of A2, see mayMove
   std::vector<int> parts;    // of each root, see SnapOptions
+  Staying staying = {};      // these are not moved
 };
 
 struct SmoothReport

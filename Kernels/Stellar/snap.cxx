@@ -114,7 +114,8 @@ bool Snapper::unchanged(const Found& found) const
 void Snapper::remember(const EdgeCrossing& crossing)
 {
   const bool nearest = this->Options.order == SnapOrder::Nearest;
-  if (nearest && this->explained(crossing))
+  const bool isHeld = this->stays(crossing.ends[0]) && this->stays(crossing.ends[1]);
+  if (isHeld || (nearest && this->explained(crossing)))
   {
     return;
   }
@@ -126,7 +127,8 @@ void Snapper::remember(const EdgeCrossing& crossing)
   for (int i = 0; i < 2; ++i)
   {
     const int v = crossing.ends[i], other = crossing.ends[1 - i];
-    if (!this->snapped(v) && (!nearest || keepsToLines(this->Mesh, v, other, this->Options.parts)))
+    if (!this->snapped(v) && !this->stays(v) &&
+        (!nearest || keepsToLines(this->Mesh, v, other, this->Options.parts)))
     {
       this->Heap.push({ (i == 0 ? crossing.u : 1.0 - crossing.u) * length, v, other, id });
     }
@@ -285,6 +287,7 @@ SnapReport snap(Forest& forest,
   }
   MidpointRule rule = source;
   rule.curves = &curves;
+  rule.staying = &options.staying;
   snapper.nearestFirst();
   snapper.residualRounds(rule);
   context.checkpoint(1.0);

@@ -3,7 +3,7 @@
 #ifndef oversketch_kernels_stellar_snap_h
 #define oversketch_kernels_stellar_snap_h
 
-#include "Stellar/forest.h"
+#include "Stellar/staying.h"
 
 #include <vector>
 
@@ -29,6 +29,7 @@ struct SnapOptions
   double minimumAngle = 5.0;     // [degrees, 0 to 60] of A2, see mayMove; with Nearest
   int maximumResidualRounds = 2; // 0: vertices go along their edges and nowhere else
   std::vector<int> parts;        // of each root; where they differ is a seam. Empty: there is none
+  Staying staying = {};          // these do not go to curves; edges between two of them may be crossed
 };
 
 struct SnapReport

@@ -176,7 +176,8 @@ private:
   {
     const Forest::Vertex& vertex = this->Mesh.vertices[v];
     return !this->Placed[v] && vertex.curveId < 0 && !(vertex.moved & Forest::Crest) &&
-           keepsToLines(this->Mesh, v, towards, this->Options.parts);
+           keepsToLines(this->Mesh, v, towards, this->Options.parts) &&
+           !this->Options.staying.at(this->Mesh, v);
   }
 
   // Moves a vertex so much of the way along an edge, if A2 lets it.

@@ -5,7 +5,7 @@
 #ifndef oversketch_kernels_stellar_snap_foot_h
 #define oversketch_kernels_stellar_snap_foot_h
 
-#include "Stellar/forest.h"
+#include "Stellar/staying.h"
 
 #include <vector>
 
@@ -21,6 +21,7 @@ struct FootOptions
   bool connectedOnly = true; // see ReachOptions
   double minimumAngle = 5.0; // [degrees, 0 to 60] of A2, see mayMove
   std::vector<int> parts;    // of each root, see SnapOptions
+  Staying staying = {};      // these do not go
 };
 
 struct FootReport

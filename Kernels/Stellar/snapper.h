@@ -123,7 +123,11 @@ private:
   bool slide(const EdgeCrossing& crossing);
   void slide();
   int movesOf(int v) const { return v < static_cast<int>(this->Moves.size()) ? this->Moves[v] : 0; }
-  bool isFree(int v) const { return !this->Mesh.onBoundary(v) && !this->Mesh.onSeam(v, this->Options.parts); }
+  bool isFree(int v) const
+  {
+    return !this->Mesh.onBoundary(v) && !this->Mesh.onSeam(v, this->Options.parts) && !this->stays(v);
+  }
+  bool stays(int v) const { return this->Options.staying.at(this->Mesh, v); }
   bool unchanged(const Found& found) const;
   bool explained(const EdgeCrossing& crossing) const;
   void findAround(int v);

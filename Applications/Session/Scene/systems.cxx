@@ -13,6 +13,9 @@
 #include "vtkOversketchInflateDrawing.h"
 #include "vtkOversketchPlanarRefine.h"
 #endif
+#ifdef OVERSKETCH_WITH_MASK
+#include "vtkOversketchMask.h"
+#endif
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
 #endif
@@ -496,6 +499,52 @@ SystemRow relax()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_MASK
+SystemRow mask()
+{
+  using System = vtkOversketchMask;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Mask";
+  row.verb = "mask";
+  row.title = "Mask";
+  row.brief = "mask a part of a mesh, which no step then moves";
+  row.help = "Masks the points that lassos enclose in the picture, or frees them; then the mask may grow or "
+             "shrink, and "
+             "be inverted. It is point array Mask of the mesh, 1 where no step moves a point. Lengths are "
+             "those of the "
+             "model, or with % a share of the diagonal of its box.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is masked", Kind::Mesh, 0 },
+    { "Strokes",
+      "lasso",
+      "polylines in pixels, each with its view, which a straight line closes; none is needed to grow, invert "
+      "or clear the mask",
+      Kind::Stroke,
+      1,
+      true } };
+  row.parameters = {
+    parameter<System>(PROPERTY(System, Mode),
+      "mode",
+      "What is enclosed",
+      "whether what a lasso encloses is masked too, is freed, or alone is masked; replace without a lasso "
+      "clears the mask",
+      { { "add", "is masked, too" }, { "subtract", "is freed" }, { "replace", "alone is masked" } }),
+    actingWith("Strokes",
+      parameter<System>(PROPERTY(System, Through),
+        "through",
+        "Hidden parts, too",
+        "take also what is hidden in the picture")),
+    length(parameter<System>(
+      PROPERTY(System, Grow), "grow", "Grow by", "how far the mask grows over the surface, below 0 shrinks")),
+    parameter<System>(
+      PROPERTY(System, Invert), "invert", "Invert", "mask what is free and free what is masked, at the end"),
+  };
+  row.mirroring = Mirroring::Strokes;
+  return row;
+}
+#endif
+
 #undef PROPERTY
 
 } // namespace
@@ -527,6 +576,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_RELAX
     withDefaults(relax()),
+#endif
+#ifdef OVERSKETCH_WITH_MASK
+    withDefaults(mask()),
 #endif
 #ifdef OVERSKETCH_WITH_STELLAR
     withDefaults(terrain()),

@@ -155,6 +155,40 @@ TEST(Mirror, BothWaysAgreeOnASymmetricModel)
   std::cout << "both ways agree within " << worst / bear->GetLength() << " of the bear's size\n";
 }
 
+TEST(Mirror, MaskedPointsStayOnBothSides)
+{
+  const auto bear = shippedModel("bear");
+  const auto stroke = drawn(longerArm(), orthographicView({ 0.0, 0.0, 1.0 }, { 0.0, 1.0, 0.0 }, 150.0));
+  const vtkSmartPointer<vtkPolyData> free = alone(bear, stroke, off);
+  vtkNew<vtkFloatArray> mask;
+  mask->SetName("Mask");
+  for (vtkIdType i = 0; i < bear->GetNumberOfPoints(); ++i)
+  {
+    mask->InsertNextValue(std::abs(at(bear, i)[0]) < 0.65 || at(bear, i)[2] < -0.08 ? 1.0F : 0.0F);
+  }
+  int held = 0; // that moved without a mask
+  for (vtkIdType i = 0; i < bear->GetNumberOfPoints(); ++i)
+  {
+    held += mask->GetValue(i) == 1.0F && at(free, i) != at(bear, i);
+  }
+  EXPECT_GT(held, 10);
+  bear->GetPointData()->AddArray(mask);
+  for (const bool follow : { true, false })
+  {
+    const Mirrored both(bear, stroke, { 0, 0.0 }, off, follow, {}, true);
+    ASSERT_EQ(both.outcome.failure, "");
+    int left = 0, right = 0;
+    for (vtkIdType i = 0; i < bear->GetNumberOfPoints(); ++i)
+    {
+      const bool moved = at(both.outcome.mesh, i) != at(bear, i);
+      EXPECT_FALSE(moved && mask->GetValue(i) == 1.0F) << i;
+      (at(bear, i)[0] < 0.0 ? left : right) += moved;
+    }
+    EXPECT_GT(left, 10) << follow;
+    EXPECT_GT(right, 10) << follow;
+  }
+}
+
 TEST(Mirror, BothSidesOfASymmetricModelFollowAHandAlike)
 {
   const auto bear = shippedModel("bear");

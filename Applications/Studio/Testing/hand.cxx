@@ -267,6 +267,7 @@ int Hand::key()
     Qt::Key_0,
     Qt::Key_V,
     Qt::Key_Q,
+    Qt::Key_4,
     Qt::Key_F4,
     Qt::Key_T,
     Qt::Key_O,

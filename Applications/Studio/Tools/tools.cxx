@@ -12,6 +12,9 @@
 #include "profile_tool.h"
 #include "shade_tool.h"
 #endif
+#ifdef OVERSKETCH_WITH_MASK
+#include "mask_tool.h"
+#endif
 #include "one_stroke_tool.h"
 #ifdef OVERSKETCH_WITH_RELAX
 #include "relax_tool.h"
@@ -59,6 +62,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #endif
 #ifdef OVERSKETCH_WITH_RELAX
     new RelaxTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_MASK
+    new MaskTool(viewport, document),
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     new DrawingTool(viewport, document),

@@ -60,6 +60,8 @@ public:
   vtkPolyData* mesh() const { return this->Shown; } // null where none is shown
   // What is drawn of it; nothing where it is not visible.
   std::vector<vtkPolyData*> drawn() const;
+  // That without the parts that are hidden.
+  vtkSmartPointer<vtkPolyData> seen() const { return this->Shown ? this->seen(this->Shown) : nullptr; }
   bool owns(const vtkActor* actor) const;
 
   void setLook(const ModelLook& look);

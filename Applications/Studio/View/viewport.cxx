@@ -101,6 +101,7 @@ void Viewport::makeScene()
 
   this->Renderer->AddActor(this->Region.actor());
 
+  this->Masked.addTo(this->Renderer);
   this->Mirror.addTo(this->Renderer);
   this->HintBox.addTo(this->Renderer);
 }
@@ -271,6 +272,7 @@ bool Viewport::event(QEvent* event)
 void Viewport::showMesh(vtkPolyData* mesh, bool reset)
 {
   this->Model.show(mesh);
+  this->Masked.show(this->Model.seen());
   this->Behind.setMesh(mesh);
   if (reset)
   {
@@ -291,9 +293,16 @@ void Viewport::showMesh(vtkPolyData* mesh, bool reset)
   this->renderSoon();
 }
 
+void Viewport::showPreview(vtkPolyData* mesh)
+{
+  this->Model.preview(mesh);
+  this->Masked.show(this->Model.seen());
+}
+
 void Viewport::clearMesh()
 {
   this->Model.clear();
+  this->Masked.show(nullptr);
   this->HintBox.setText({});
   this->showSection(nullptr);
   this->showRegion(nullptr);
@@ -306,12 +315,14 @@ void Viewport::showInstead(vtkPolyData* mesh)
   this->Looks.showInstead(mesh);
   this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
   this->Region.actor()->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
+  this->Masked.setVisible(!mesh);
   this->renderSoon();
 }
 
 void Viewport::hideParts(const std::set<int>& parts)
 {
   this->Model.hide(parts);
+  this->Masked.show(this->Model.seen());
   this->renderSoon();
 }
 

@@ -8,6 +8,7 @@
 #include "hand_gestures.h"
 #include "hint.h"
 #include "look.h"
+#include "mask_sheet.h"
 #include "mirror_sheet.h"
 #include "model_view.h"
 #include "moved_region.h"
@@ -51,7 +52,7 @@ public:
   // Shows none.
   void clearMesh();
   // The mesh as a tool shows it meanwhile, with the same skin.
-  void showPreview(vtkPolyData* mesh) { this->Model.preview(mesh); }
+  void showPreview(vtkPolyData* mesh);
   // Null where none is shown.
   vtkPolyData* mesh() const { return this->Model.mesh(); }
   // Parts of the mesh that are not drawn (ModelView::hide).
@@ -95,6 +96,9 @@ public:
   // present view. `goesOn` is asked before each frame, of the share that is done; returns false where it says
   // no, and nothing is written. Throws Failed.
   bool writeTurn(const QString& path, int frames, const std::function<bool(double)>& goesOn);
+
+  // The part of the model that is masked, dark.
+  const MaskSheet& masked() const { return this->Masked; }
 
   // For tools.
   Display& display() { return this->Looks; }
@@ -152,6 +156,7 @@ private:
   vtkNew<vtkActor> Section;
   oversketch::MovedRegion Region;
   MirrorSheet Mirror;
+  MaskSheet Masked;
   Backdrop Behind;
   Hint HintBox;
   vtkNew<vtkOversketchInteractorStyle> Style;

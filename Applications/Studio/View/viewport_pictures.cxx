@@ -34,11 +34,13 @@ public:
     , Keys(view.Style->GetShowKeys())
   {
     this->showLines(false);
+    this->View.Masked.setVisible(false);
     this->show(false, false, false, false, false);
   }
   ~Bare()
   {
     this->show(this->Section, this->Region, this->Mirror, this->Hint, this->Keys);
+    this->View.Masked.setVisible(!this->View.Looks.instead());
     this->showLines(true);
     this->View.render();
   }

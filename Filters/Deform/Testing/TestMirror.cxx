@@ -66,6 +66,31 @@ struct MirrorScene
 
 } // namespace
 
+TEST(Mirror, MaskedPointsDoNotFollow)
+{
+  MirrorScene s;
+  vtkNew<vtkFloatArray> mask;
+  mask->SetName("Mask");
+  for (const Vector3& p : s.mesh.points)
+  {
+    mask->InsertNextValue(p[0] < 0.0 && p[2] > 0.0 ? 1.0f : 0.0f);
+  }
+  s.before->GetPointData()->AddArray(mask);
+  s.filter->Update();
+  int follow = 0, stay = 0;
+  for (vtkIdType i = 0; i < s.before->GetNumberOfPoints(); ++i)
+  {
+    if (s.mesh.points[i][0] < -1e-9 && s.moved(s.partner(i, 0.0)))
+    {
+      const bool stays = MirrorScene::at(s.filter->GetOutput(), i) == MirrorScene::at(s.before, i);
+      EXPECT_EQ(stays, mask->GetValue(i) == 1.0f) << i;
+      (stays ? stay : follow) += 1;
+    }
+  }
+  EXPECT_GT(stay, 10);
+  EXPECT_GT(follow, 10);
+}
+
 TEST(Mirror, TheOtherSideFollowsExactly)
 {
   MirrorScene s;

@@ -168,6 +168,58 @@ TEST_F(Relax, SeamsStayClosedAndArraysAreThere)
   EXPECT_GT(moved, 500);
 }
 
+TEST_F(Relax, MaskedPointsStayToTheBitAndHalfMaskedGoByHalfTheStrength)
+{
+  this->filter->Update();
+  const auto free = deepCopy(this->filter->GetOutput());
+  vtkNew<vtkFloatArray> mask;
+  mask->SetName("Mask");
+  for (vtkIdType i = 0; i < this->mesh->GetNumberOfPoints(); ++i)
+  {
+    mask->InsertNextValue(this->mesh->GetPoint(i)[0] > 0.0 ? 1.0f : 0.0f);
+  }
+  this->mesh->GetPointData()->AddArray(mask);
+  this->filter->Modified();
+  this->filter->Update();
+  ASSERT_EQ(this->filter->GetErrorCode(), 0u);
+  int moved = 0, alike = 0;
+  for (vtkIdType i = 0; i < this->mesh->GetNumberOfPoints(); ++i)
+  {
+    Vector3 before, after, unmasked;
+    this->mesh->GetPoint(i, before.data());
+    this->filter->GetOutput()->GetPoint(i, after.data());
+    free->GetPoint(i, unmasked.data());
+    if (mask->GetValue(i) == 1.0f)
+    {
+      EXPECT_EQ(before, after) << i;
+    }
+    else
+    {
+      moved += before != after;
+      alike += before != unmasked && (after - unmasked).norm() < 0.02;
+    }
+  }
+  EXPECT_GT(moved, 150);
+  EXPECT_GT(alike, 100) << "away from the mask the band does as before";
+  EXPECT_EQ(this->filter->GetOutput()->GetPointData()->GetArray("Mask"), mask.Get());
+
+  mask->Fill(0.5);
+  mask->Modified();
+  this->filter->Modified();
+  this->filter->Update();
+  const auto half = deepCopy(this->filter->GetOutput());
+  this->mesh->GetPointData()->RemoveArray("Mask");
+  this->filter->SetStrength(0.5);
+  this->filter->Update();
+  half->GetPointData()->RemoveArray("Mask");
+  EXPECT_TRUE(identical(half, this->filter->GetOutput()));
+  this->mesh->GetPointData()->AddArray(mask);
+  mask->Fill(1.0);
+  mask->Modified();
+  this->filter->Modified();
+  expectRefusal(this->filter, Failure::BadStroke, "beside the mask");
+}
+
 TEST_F(Relax, NormalsTurnWithTheSurface)
 {
   Mesh rough = roughBall();

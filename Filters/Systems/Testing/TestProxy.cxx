@@ -166,3 +166,30 @@ TEST(DetailTransferFilter, SaysWhatTheProxyLacks)
   filter->SetInputData(1, mesh);
   expectRefusal(filter, Failure::MissingArray, "Origin");
 }
+
+TEST(DetailTransfer, MaskedPointsKeepTheirBits)
+{
+  const auto mesh = looseSphere();
+  const auto proxy = proxyOf(mesh);
+  vtkNew<vtkDoubleArray> mask;
+  mask->SetName("Mask");
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    mask->InsertNextValue(mesh->GetPoint(i)[0] > 0.0 ? 1.0 : 0.0);
+  }
+  mesh->GetPointData()->AddArray(mask);
+  for (vtkIdType i = 0; i < proxy->GetNumberOfPoints(); ++i)
+  {
+    proxy->GetPoints()->SetPoint(i, turned(Vector3(proxy->GetPoint(i))).data());
+  }
+  proxy->GetPoints()->Modified();
+  vtkNew<vtkOversketchDetailTransfer> filter;
+  filter->SetInputData(0, mesh);
+  filter->SetInputData(1, proxy);
+  filter->Update();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const bool stays = Vector3(filter->GetOutput()->GetPoint(i)) == Vector3(mesh->GetPoint(i));
+    EXPECT_EQ(stays, mask->GetValue(i) == 1.0) << i;
+  }
+}

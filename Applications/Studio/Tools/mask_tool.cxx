@@ -1,0 +1,204 @@
+#include "mask_tool.h"
+
+#include "document.h"
+#include "flow_layout.h"
+#include "length_box.h"
+#include "viewport.h"
+
+#include "vtkPolyData.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QToolButton>
+
+#include <functional>
+
+namespace oversketch_studio
+{
+
+using namespace oversketch_session;
+
+namespace
+{
+
+constexpr const char *modeName = "Mode", *throughName = "Through", *growName = "Grow", *invertName = "Invert";
+constexpr int replacing = 2; // of Mode
+constexpr double ownLengthOfSize = 0.02;
+
+template <typename T>
+T givenOr(const Values& values, const char* name, T otherwise)
+{
+  const auto found = values.find(name);
+  return found == values.end() ? otherwise : std::get<T>(found->second);
+}
+
+} // namespace
+
+MaskTool::MaskTool(Viewport* viewport, const Document* document)
+  : HeldStrokeTool("Mask", viewport, document)
+  , Bar(new QWidget(viewport))
+  , Mode(new QComboBox(this->Bar))
+  , Through(new QCheckBox(tr("Hidden parts, too"), this->Bar))
+  , Length(new LengthBox(this->Bar))
+{
+  this->setObjectName("mask");
+  this->Bar->hide(); // until the window has a place for it
+  auto* row = new FlowLayout(this->Bar);
+  row->setContentsMargins(6, 0, 0, 0);
+  this->Mode->addItems({ tr("Mask"), tr("Free") });
+  this->Mode->setObjectName("mask_mode");
+  this->Mode->setAccessibleName(tr("Lassos"));
+  this->Mode->setToolTip(tr("The next lasso masks what it encloses, or frees it"));
+  row->addWidget(this->Mode);
+  this->Through->setObjectName("mask_through");
+  this->Through->setToolTip(tr("The next lasso takes also what is hidden behind what is seen"));
+  row->addWidget(this->Through);
+  const auto addButton = [&](const char* name, const QString& text, const QString& help)
+  {
+    auto* button = new QToolButton(this->Bar);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(help);
+    row->addWidget(button);
+    return button;
+  };
+  const auto connected = [this](QToolButton* button, const std::function<void()>& work)
+  { connect(button, &QToolButton::clicked, this, work); };
+  connected(addButton("mask_grow", tr("Grow"), tr("The mask grows over the surface by this length")),
+    [this] { this->grow(this->Length->value()); });
+  connected(addButton("mask_shrink", tr("Shrink"), tr("The mask shrinks by this length")),
+    [this] { this->grow(-this->Length->value()); });
+  this->Length->setObjectName("mask_length");
+  this->Length->setAccessibleName(tr("Length"));
+  this->Length->setToolTip(tr("How far it grows or shrinks, in lengths of the model"));
+  row->addWidget(this->Length);
+  connected(addButton("mask_invert", tr("Invert"), tr("Mask what is free, and free what is masked")),
+    [this]
+    {
+      const bool inverts = this->shapesOffered() && givenOr(this->Selected, invertName, false);
+      this->act({ { invertName, !inverts } });
+    });
+  connected(addButton("mask_clear", tr("Clear"), tr("Free all of the model")),
+    [this]
+    {
+      Step step;
+      step.system = this->system();
+      step.values[modeName] = replacing;
+      emit this->drawn(step);
+    });
+  // A lasso that is there is changed by its form: the next one may free again.
+  const auto set = [this] { this->setValues(this->ofLassos()); };
+  connect(this->Mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this, set);
+  connect(this->Through, &QCheckBox::toggled, this, set);
+  const auto begin = [this](vtkPolyData* mesh)
+  {
+    this->Length->begin(mesh ? mesh->GetLength() : 0.0);
+    this->Length->setValue(ownLengthOfSize * this->Length->diagonal());
+  };
+  connect(document, &Document::opened, this, [document, begin] { begin(document->session().mesh); });
+  connect(document,
+    &Document::shown,
+    this,
+    [document, begin]
+    {
+      if (!document->session().mesh && document->result().mesh) // a first step makes it
+      {
+        begin(document->result().mesh);
+      }
+    });
+  begin(nullptr);
+  set();
+}
+
+// A lasso round a part of a surface, and that part hatched.
+QPainterPath MaskTool::icon() const
+{
+  QPainterPath path;
+  path.addEllipse(4, 3, 16, 13);
+  path.moveTo(8, 12.5);
+  path.lineTo(13.5, 5.5);
+  path.moveTo(12, 13);
+  path.lineTo(16, 8);
+  path.moveTo(10, 16);
+  path.cubicTo(8, 19, 12, 20, 9, 22.5);
+  return path;
+}
+
+QString MaskTool::advice(const Situation& situation) const
+{
+  if (situation.redraws)
+  {
+    return tr("Redraw the selected lasso. T leaves it as it is.");
+  }
+  if (situation.selected)
+  {
+    return tr("What is dark is masked: no step moves it. The buttons and the form change the selected row.");
+  }
+  return tr(
+    "Draw a lasso round what is to stay: it is dark, and no step moves it. The middle button turns the "
+    "model, F1 lists the keys.");
+}
+
+QWidget* MaskTool::makeOptions(QWidget* parent)
+{
+  this->Bar->setParent(parent);
+  this->Bar->show();
+  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Bar))
+  {
+    this->Bar->layout()->addWidget(mirror);
+  }
+  return this->Bar;
+}
+
+Values MaskTool::ofLassos() const
+{
+  return { { modeName, this->Mode->currentIndex() }, { throughName, this->Through->isChecked() } };
+}
+
+Values MaskTool::options() const
+{
+  Values options = HeldStrokeTool::options();
+  for (const auto& [name, value] : this->ofLassos())
+  {
+    options[name] = value;
+  }
+  return options;
+}
+
+void MaskTool::setOptions(const Values& options)
+{
+  HeldStrokeTool::setOptions(options);
+  this->Mode->setCurrentIndex(givenOr(options, modeName, 0));
+  this->Through->setChecked(givenOr(options, throughName, false));
+}
+
+void MaskTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
+{
+  HeldStrokeTool::offer(step, state, place);
+  this->Selected = step.values;
+}
+
+void MaskTool::act(const Values& values)
+{
+  if (this->shapesOffered())
+  {
+    this->shape(values, false);
+    this->setValues(this->ofLassos()); // the next lasso does none of it
+    return;
+  }
+  Step step;
+  step.system = this->system();
+  step.values = values;
+  emit this->drawn(step);
+}
+
+// A step that inverts does so last: what is seen to grow shrinks before.
+void MaskTool::grow(double length)
+{
+  const bool isOffered = this->shapesOffered();
+  const double before = isOffered ? givenOr(this->Selected, growName, 0.0) : 0.0;
+  const bool inverts = isOffered && givenOr(this->Selected, invertName, false);
+  this->act({ { growName, before + (inverts ? -length : length) } });
+}
+
+} // namespace oversketch_studio
