@@ -22,13 +22,13 @@ cv::Mat1b withoutWhiskers(const cv::Mat1b& mask, double width)
   const double radius = 0.5 * width;
   const double slack = radius + 0.6; // px: discs on a grid of pixels, and a px that they miss of a smooth rim
   cv::Mat1f depth, away;
-  cv::distanceTransform(mask, depth, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(mask, depth, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   const cv::Mat1b middles(depth >= radius + 0.5); // depths are to the middle of the first pixel outside
   if (cv::countNonZero(middles) == 0)
   {
     return middles;
   }
-  cv::distanceTransform(~middles, away, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::distanceTransform(~middles, away, cv::DIST_L2, cv::DIST_MASK_PRECISE);
   cv::Mat1b kept((away <= slack) & mask);
   cv::Mat1i parts;
   const int count = cv::connectedComponents(mask & ~kept, parts, 8);

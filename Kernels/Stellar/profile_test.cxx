@@ -129,6 +129,6 @@ TEST(Preview, RefusesWhatDisplaceDoes)
   EXPECT_THROW(previewFeature(curve, 0.0, 1.0), Error);
   EXPECT_THROW(previewFeature(curve, std::nan(""), 1.0), Error);
   EXPECT_THROW(previewFeature(curve, 1.0, std::nan("")), Error);
-  EXPECT_THROW(previewFeature(curve, 1.0, 1.0, false, &one), Error);
+  EXPECT_THROW(previewFeature(curve, 1.0, 1.0, false, 0.0, &one), Error);
   EXPECT_THROW(previewFeature(featureCurve({ { 0, 0, 0 } }), 1.0, 1.0), Error);
 }
