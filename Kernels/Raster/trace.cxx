@@ -131,7 +131,7 @@ Polyline placed(const Chain& chain, bool isHole, const cv::Mat1b& cover)
 cv::Mat2d meansAlong(const cv::Mat2d& line)
 {
   constexpr int reach = 6;
-  constexpr double sigma = 2.0; // px
+  constexpr double sigma = 1.5; // px
   cv::Mat2d round, means;
   cv::copyMakeBorder(line, round, 0, 0, reach, reach, cv::BORDER_WRAP);
   cv::GaussianBlur(round, means, { 2 * reach + 1, 1 }, sigma);

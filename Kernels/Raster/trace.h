@@ -36,7 +36,7 @@ struct TracedRim
 //
 // What is narrower than 0.006 of the longer side, at least 3 px, and goes farther than twice that from the
 // rest is a whisker and left out; corners stay. So are holes of a smaller mean width, and all that hangs on
-// the thing by a whisker. Rims are smoothed by 2 px along them; Gaussian smoothing twice over its remainder
+// the thing by a whisker. Rims are smoothed by 1.5 px along them; Gaussian smoothing twice over its remainder
 // keeps corners. Samples are 4 px apart, at bends 2.
 //
 // Deterministic, for any number of threads. Throws Error(Failure::BadStroke) where there is nothing to trace.
