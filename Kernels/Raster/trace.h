@@ -24,8 +24,8 @@ struct TracedRim
 // - Where alpha is below one half in a hundredth of it, and more elsewhere: what is connected under the place
 //   and has at least one half.
 // - Where its border is evenly coloured: what is connected under the place and differs from that ground by
-//   Otsu's threshold, or by 25 of CIE Lab where that is less. A place in ground that is shut in means that
-//   ground. A drawing of lines alone is taken with all that it encloses.
+//   Otsu's threshold, at most 25 of CIE Lab. What is shut in is ground where most of it is within 8; a place
+//   in it means that ground. A drawing of lines alone is taken with all that it encloses.
 // - Elsewhere, under a place: what is connected and coloured evenly, where its area stays nearly the same
 //   while the tolerance grows by 8 of Lab (Matas et al., "Robust wide baseline stereo from maximally
 //   stable extremal regions", 2002).

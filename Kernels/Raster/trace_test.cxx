@@ -319,6 +319,20 @@ TEST(Trace, APlaceOnNothingMeansTheLargestThing)
   }
 }
 
+TEST(Trace, PalePartsAreNoHoles)
+{
+  const Painting pale = [](const Vector2& place) {
+    return (place - middle).norm() < 30.0 ? Colour{ 215, 215, 215 } : Colour{ 40, 40, 40 };
+  };
+  const Picture picture = painted(disc(middle, 80.0), pale, white);
+  for (const std::optional<Vector2>& place : { std::optional<Vector2>(), std::optional<Vector2>(middle) })
+  {
+    const auto rims = outlines(picture, place);
+    ASSERT_EQ(rims.size(), 1u);
+    expectDisc(rims[0].points, middle, 80.0);
+  }
+}
+
 TEST(Trace, FewClearPixelsCutNothingOut)
 {
   Picture picture = painted(disc(middle, 80.0), dark, white, 4);
