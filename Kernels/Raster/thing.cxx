@@ -96,6 +96,34 @@ std::optional<Ground> groundOf(const cv::Mat3b& lab)
   return ground;
 }
 
+// 255 in shut-in parts most of which are as near to the ground's colour as the ground itself: what is only
+// paler than the rest is of the thing.
+cv::Mat1b groundAmong(const cv::Mat1b& shutIn, const cv::Mat1b& differs)
+{
+  constexpr int own = static_cast<int>(8.0 * halves);
+  cv::Mat1i parts;
+  const int count = cv::connectedComponents(shutIn, parts, 4);
+  std::vector<int> balance(
+    static_cast<std::size_t>(count), 0); // pixels that are near, less those that are not
+  for (int y = 0; y < parts.rows; ++y)
+  {
+    for (int x = 0; x < parts.cols; ++x)
+    {
+      balance[static_cast<std::size_t>(parts(y, x))] += differs(y, x) <= own ? 1 : -1;
+    }
+  }
+  cv::Mat1b ground(shutIn.size());
+  for (int y = 0; y < parts.rows; ++y)
+  {
+    for (int x = 0; x < parts.cols; ++x)
+    {
+      const int part = parts(y, x);
+      ground(y, x) = part > 0 && balance[static_cast<std::size_t>(part)] > 0 ? 255 : 0;
+    }
+  }
+  return ground;
+}
+
 // What differs from the ground.
 Thing beforeGround(const cv::Mat3b& lab,
   const Ground& ground,
@@ -115,16 +143,17 @@ Thing beforeGround(const cv::Mat3b& lab,
   cv::copyMakeBorder(like, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(255));
   cv::floodFill(framed, { 0, 0 }, cv::Scalar(marked));
   const cv::Mat1b reached(framed(cv::Rect(1, 1, like.cols, like.rows)) == marked);
+  const cv::Mat1b shutIn = groundAmong(cv::Mat1b(like & ~reached), differs);
   Thing thing;
-  if (place && like(*place) && !reached(*place)) // ground that is shut in
+  if (place && shutIn(*place))
   {
-    cv::Mat1b spot = like.clone();
+    cv::Mat1b spot = shutIn.clone();
     cv::floodFill(spot, *place, cv::Scalar(marked));
     thing.mask = spot == marked;
     return thing;
   }
-  thing.mask = ~like;
   thing.solid = ~reached;
+  thing.mask = thing.solid & ~shutIn;
   return thing;
 }
 
@@ -305,12 +334,13 @@ Thing thingIn(const PictureSamples& picture, const std::optional<cv::Point>& pla
   Thing thing;
   if (picture.hasAlpha())
   {
-    double low = 0.0, high = 0.0;
+    constexpr double cutAway = 0.01; // of the pixels: fewer are a fault of the picture
     cv::extractChannel(samples, thing.alpha, picture.components - 1);
-    cv::minMaxLoc(thing.alpha, &low, &high);
-    if (low < halfCovered && high >= halfCovered)
+    thing.mask = thing.alpha >= halfCovered;
+    const auto all = static_cast<double>(thing.mask.total());
+    const int covered = cv::countNonZero(thing.mask);
+    if (covered > 0 && covered <= (1.0 - cutAway) * all)
     {
-      thing.mask = thing.alpha >= halfCovered;
       return thing;
     }
   }

@@ -1,6 +1,7 @@
 #include "Raster/trace.h"
 
 #include "Raster/thing.h"
+#include "Stroke/meetings.h"
 #include "Stroke/with_opencv.h"
 
 #include <opencv2/imgproc.hpp>
@@ -46,7 +47,7 @@ cv::Mat1b withoutWhiskers(const cv::Mat1b& mask, double width)
     for (int x = 0; x < parts.cols; ++x)
     {
       const int part = parts(y, x);
-      if (part > 0 && reach[static_cast<std::size_t>(part)] <= slack + 2.0 * width)
+      if (part > 0 && reach[static_cast<std::size_t>(part)] <= slack + 1.5 * width)
       {
         kept(y, x) = 255;
       }
@@ -131,7 +132,7 @@ Polyline placed(const Chain& chain, bool isHole, const cv::Mat1b& cover)
 cv::Mat2d meansAlong(const cv::Mat2d& line)
 {
   constexpr int reach = 6;
-  constexpr double sigma = 2.0; // px
+  constexpr double sigma = 1.5; // px
   cv::Mat2d round, means;
   cv::copyMakeBorder(line, round, 0, 0, reach, reach, cv::BORDER_WRAP);
   cv::GaussianBlur(round, means, { 2 * reach + 1, 1 }, sigma);
@@ -204,6 +205,18 @@ std::vector<TracedRim> rimsOf(const cv::Mat1b& mask, const cv::Mat1b& cover, dou
   return rims;
 }
 
+// Whether no rim meets itself or another one, as strokes of a drawing must not.
+bool areApart(const std::vector<TracedRim>& rims, const Context& context)
+{
+  std::vector<PlaneCurve> curves;
+  for (const TracedRim& rim : rims)
+  {
+    curves.push_back({ rim.points, true });
+  }
+  const std::vector<Meeting> met = meetings(curves, context);
+  return std::none_of(met.begin(), met.end(), [](const Meeting& one) { return one.segment >= 0; });
+}
+
 std::vector<TracedRim> rimsIn(const PictureSamples& picture,
   const std::optional<cv::Point>& place,
   const Context& context)
@@ -227,10 +240,26 @@ std::vector<TracedRim> rimsIn(const PictureSamples& picture,
   {
     look(thing.solid, 0.7); // lines alone
   }
-  const cv::Mat1b whole = oneOf(kept, place);
-  cover.setTo(0, covered & ~whole); // what is left out
-  context.checkpoint(0.9);
-  return rimsOf(whole, cover, width);
+  cv::Mat1b whole = oneOf(kept, place);
+  // Ragged rims meet themselves, where slits and necks are not closed and cut.
+  constexpr int narrowest = 3, widest = 9; // px
+  for (int slit = narrowest;; slit += 2)
+  {
+    context.checkpoint(0.8);
+    cv::Mat1b told = cover.clone();
+    told.setTo(0, covered & ~whole);
+    told.setTo(255, whole & ~covered);
+    std::vector<TracedRim> rims = rimsOf(whole, told, width);
+    if (slit > widest || areApart(rims, context))
+    {
+      return rims;
+    }
+    const cv::Mat disc = cv::getStructuringElement(cv::MORPH_ELLIPSE, { slit, slit });
+    cv::Mat1b closed, open;
+    cv::morphologyEx(whole, closed, cv::MORPH_CLOSE, disc);
+    cv::morphologyEx(closed, open, cv::MORPH_OPEN, disc);
+    whole = oneOf(open, place);
+  }
 }
 
 } // namespace

@@ -21,11 +21,11 @@ struct TracedRim
 
 // The outer rim of a thing first, then those of its holes. The picture decides which thing is meant:
 //
-// - Where its alpha is below one half here and at least that there: what is connected under the place and
-//   has at least one half.
+// - Where alpha is below one half in a hundredth of it, and more elsewhere: what is connected under the place
+//   and has at least one half.
 // - Where its border is evenly coloured: what is connected under the place and differs from that ground by
-//   Otsu's threshold, or by 25 of CIE Lab where that is less. A place in ground that is shut in means that
-//   ground. A drawing of lines alone is taken with all that it encloses.
+//   Otsu's threshold, at most 25 of CIE Lab. What is shut in is ground where most of it is within 8; a place
+//   in it means that ground. A drawing of lines alone is taken with all that it encloses.
 // - Elsewhere, under a place: what is connected and coloured evenly, where its area stays nearly the same
 //   while the tolerance grows by 8 of Lab (Matas et al., "Robust wide baseline stereo from maximally
 //   stable extremal regions", 2002).
@@ -34,10 +34,11 @@ struct TracedRim
 // A place on nothing, and no place, mean the largest thing. A rim lies where coverage crosses one half:
 // alpha, or the share of a pixel's colour on the way from those outside to those inside near by.
 //
-// What is narrower than 0.006 of the longer side, at least 3 px, and goes farther than twice that from the
-// rest is a whisker and left out; corners stay. So are holes of a smaller mean width, and all that hangs on
-// the thing by a whisker. Rims are smoothed by 2 px along them; Gaussian smoothing twice over its remainder
-// keeps corners. Samples are 4 px apart, at bends 2.
+// What is narrower than 0.006 of the longer side, at least 3 px, and goes farther than 1.5 times that from
+// the rest is a whisker and left out; corners of 30 degrees and more stay. So are holes of a smaller mean
+// width, and all that hangs on the thing by a whisker. Rims are smoothed by 1.5 px along them; Gaussian
+// smoothing twice over its remainder keeps corners. Where they would meet, slits and necks of 3 px are closed
+// and cut, then those of up to 9 px. Samples are 4 px apart, at bends 2.
 //
 // Deterministic, for any number of threads. Throws Error(Failure::BadStroke) where there is nothing to trace.
 std::vector<TracedRim> traced(const PictureSamples& picture,

@@ -2,6 +2,7 @@
 #include "Raster/trace.h"
 
 #include "Harness/threads.h"
+#include "Stroke/meetings.h"
 
 #include <opencv2/core.hpp>
 
@@ -315,6 +316,57 @@ TEST(Trace, APlaceOnNothingMeansTheLargestThing)
     const auto small = outlines(picture, Vector2(220.0, 220.0));
     ASSERT_EQ(small.size(), 1u);
     expectDisc(small[0].points, { 220.0, 220.0 }, 30.0);
+  }
+}
+
+TEST(Trace, PalePartsAreNoHoles)
+{
+  const Painting pale = [](const Vector2& place) {
+    return (place - middle).norm() < 30.0 ? Colour{ 215, 215, 215 } : Colour{ 40, 40, 40 };
+  };
+  const Picture picture = painted(disc(middle, 80.0), pale, white);
+  for (const std::optional<Vector2>& place : { std::optional<Vector2>(), std::optional<Vector2>(middle) })
+  {
+    const auto rims = outlines(picture, place);
+    ASSERT_EQ(rims.size(), 1u);
+    expectDisc(rims[0].points, middle, 80.0);
+  }
+}
+
+TEST(Trace, FewClearPixelsCutNothingOut)
+{
+  Picture picture = painted(disc(middle, 80.0), dark, white, 4);
+  for (std::size_t i = 3; i < picture.samples.size(); i += 4)
+  {
+    picture.samples[i] = i < 400 ? 100 : 255;
+  }
+  const auto rims = outlines(picture);
+  ASSERT_EQ(rims.size(), 1u);
+  expectDisc(rims[0].points, middle, 80.0);
+}
+
+TEST(Trace, RaggedRimsMeetNothing)
+{
+  Picture picture = painted(disc(middle, 80.0), dark, white, 4);
+  std::minstd_rand numbers(11);
+  for (std::size_t i = 3; i < picture.samples.size(); i += 4)
+  {
+    const int x = static_cast<int>(i / 4) % 300, y = static_cast<int>(i / 4) / 300;
+    const double from = (Vector2(x, y) - middle).norm();
+    if (from > 74.0 && from < 90.0 && y < 120) // grass
+    {
+      picture.samples[i] = numbers() % 2 ? 255 : 0;
+    }
+  }
+  std::vector<PlaneCurve> curves;
+  for (const TracedRim& rim : outlines(picture))
+  {
+    curves.push_back({ rim.points, true });
+  }
+  ASSERT_GE(curves.size(), 1u);
+  for (const Meeting& met : meetings(curves, Context()))
+  {
+    EXPECT_EQ(met.segment, -1);
   }
 }
 
