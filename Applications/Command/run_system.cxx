@@ -369,7 +369,7 @@ void runSystem(const Options& options)
   }
   if (!options.turntable.empty())
   {
-    writeTurntable(system, strokesOf(options, *session.nodes[0].step), options.turntable, files);
+    writeTurntable(system, strokesOf(options, *session.nodes[0].step, system), options.turntable, files);
   }
   throwIfInterrupted();
   files.commit();

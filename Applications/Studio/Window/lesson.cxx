@@ -222,8 +222,8 @@ void LessonPlayer::takeStroke()
 
 void LessonPlayer::draw()
 {
-  const double whole = this->Lengths.back(), time = std::clamp(whole / handSpeed, shortest, longest),
-               share = passed / time;
+  const double whole = this->Lengths.back(), passed = this->Clock() - this->Since,
+               time = std::clamp(whole / handSpeed, shortest, longest), share = passed / time;
   const int count = static_cast<int>(this->Line.size());
   if (this->IsDown || share < 1.0)
   {

@@ -3,6 +3,7 @@
 #include "Harness/copies.h"
 #include "Harness/promises.h"
 #include "Harness/shapes.h"
+#include "Harness/shipped.h"
 #include "Harness/strokes.h"
 
 #include "vtkOversketchMask.h"

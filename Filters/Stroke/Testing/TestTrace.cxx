@@ -18,7 +18,7 @@ namespace
 {
 
 constexpr int side = 200;
-const Vector2 middle(100.0, 90.0);
+const Vector2 middleOfThing(100.0, 90.0);
 
 // A dark ring on light ground, by 8 or 16 bits; an even number of channels: all of it opaque.
 template <typename Array = vtkUnsignedCharArray>
@@ -29,7 +29,7 @@ vtkSmartPointer<vtkImageData> ringPicture(int channels = 1)
     channels,
     [channels](int x, int y, int channel)
     {
-      const double from = (Vector2(x, y) - middle).norm();
+      const double from = (Vector2(x, y) - middleOfThing).norm();
       const bool isAlpha = channels % 2 == 0 && channel + 1 == channels;
       return isAlpha ? 255 : from <= 60.0 && from > 25.0 ? 40 : 220;
     });
@@ -90,7 +90,7 @@ TEST(TraceFilter, OnTheCanvasTheyLieOnTheThing)
   image->SetOrigin(-3.0, 7.0, 0.0);
   image->SetSpacing(0.5, 0.25, 1.0);
   Tracing tracing(image);
-  tracing.trace->SetPlace(middle[0] + 40.5, middle[1] + 0.5);
+  tracing.trace->SetPlace(middleOfThing[0] + 40.5, middleOfThing[1] + 0.5);
   vtkNew<vtkOversketchCanvas> canvas;
   canvas->SetInputConnection(tracing.trace->GetOutputPort());
   canvas->SetPictureData(image);
@@ -102,7 +102,7 @@ TEST(TraceFilter, OnTheCanvasTheyLieOnTheThing)
     for (const Vector3& place : pointsOfCell(canvas->GetOutput(), cell))
     {
       const Vector2 pixel = (place.head<2>() - Vector2(-3.0, 7.0)).cwiseQuotient(Vector2(0.5, 0.25));
-      EXPECT_NEAR((pixel - middle).norm(), cell == 0 ? 60.0 : 25.0, 1.5);
+      EXPECT_NEAR((pixel - middleOfThing).norm(), cell == 0 ? 60.0 : 25.0, 1.5);
     }
   }
 }
@@ -129,7 +129,7 @@ TEST(TraceFilter, ThreadsChangeNothingAndOnlyWhatIsNewIsTraced)
   one.trace->Modified();
   one.strokes();
   EXPECT_EQ(one.trace->GetTraceCount(), 1);
-  one.trace->SetPlace(middle[0] + 40.0, middle[1]);
+  one.trace->SetPlace(middleOfThing[0] + 40.0, middleOfThing[1]);
   one.strokes();
   EXPECT_EQ(one.trace->GetTraceCount(), 2);
 }
