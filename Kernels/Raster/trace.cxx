@@ -162,8 +162,8 @@ Polyline smoothed(const Polyline& rim)
   return result;
 }
 
-// Samples as a hand leaves them, of those that lie 1 px apart.
-Polyline drawnFrom(const Polyline& rim)
+// Samples as a hand leaves them, of those that lie 1 px apart, within a picture of that size.
+Polyline drawnFrom(const Polyline& rim, const cv::Size& size)
 {
   constexpr int usual = 4, near = 2, side = 3;
   constexpr double bend = 0.3; // rad
@@ -176,7 +176,7 @@ Polyline drawnFrom(const Polyline& rim)
     const double turning = std::atan2(before[0] * after[1] - before[1] * after[0], before.dot(after));
     if (i - last >= (std::abs(turning) > bend ? near : usual))
     {
-      drawn.push_back(at(i));
+      drawn.push_back(at(i).cwiseMax(Vector2::Zero()).cwiseMin(Vector2(size.width - 1, size.height - 1)));
       last = i;
     }
   }
@@ -199,7 +199,7 @@ std::vector<TracedRim> rimsOf(const cv::Mat1b& mask, const cv::Mat1b& cover, dou
     if (!isHole || 2.0 * inside >= width * length)
     {
       const auto place = isHole ? rims.end() : rims.begin();
-      rims.insert(place, TracedRim{ drawnFrom(smoothed(placed(chains[i], isHole, cover))), isHole });
+      rims.insert(place, TracedRim{ drawnFrom(smoothed(placed(chains[i], isHole, cover)), mask.size()), isHole });
     }
   }
   return rims;

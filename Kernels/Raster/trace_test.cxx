@@ -288,12 +288,12 @@ TEST(Trace, APhotographsThingIsCutOut)
   };
   const Picture picture = painted(disc(middle, 70.0), coat, meadow);
   const std::uint64_t before = cv::theRNG().state;
-  const auto rims = outlines(picture, middle);
+  const auto rims = outlines(picture);
   EXPECT_EQ(cv::theRNG().state, before) << "OpenCV's generator goes on as if nothing had been drawn";
   ASSERT_GE(rims.size(), 1u);
   expectDisc(rims[0].points, middle, 70.0);
   cv::theRNG().uniform(0, 9);
-  const auto again = outlines(picture, middle);
+  const auto again = outlines(picture);
   ASSERT_EQ(again.size(), rims.size());
   EXPECT_EQ(again[0].points, rims[0].points);
 }

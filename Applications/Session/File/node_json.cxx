@@ -310,7 +310,11 @@ Json::Value jsonOf2(const Node& node, const std::vector<SystemRow>& rows, const 
   {
     for (const Parameter& parameter : row->parameters)
     {
-      json["values"][parameter.property] = jsonOf(parameter, valueOf(step, parameter));
+      const Value& value = valueOf(step, parameter);
+      if (!parameter.isLater || value != parameter.initial)
+      {
+        json["values"][parameter.property] = jsonOf(parameter, value);
+      }
     }
   }
   if (step.part)

@@ -1,5 +1,7 @@
 #include "systems.h"
 
+#include "parameters.h"
+
 #include "vtkOversketchSystem.h"
 
 #ifdef OVERSKETCH_WITH_AUGMENT
@@ -140,10 +142,10 @@ SystemRow augment()
       "use-pressure",
       "Pressure is height",
       "multiply the height by the pen's pressure"),
-    length(parameter<System>(PROPERTY(System, Taper),
+    later(length(parameter<System>(PROPERTY(System, Taper),
       "taper",
       "Ends taper over",
-      "how long a stroke's ends run out into points; 0 for round ends")),
+      "how long a stroke's ends run out into points; 0 for round ends"))),
     parameter<System>(PROPERTY(System, SketchMode),
       "sketch",
       "Strokes are",
@@ -365,11 +367,11 @@ SystemRow inflateDrawing()
       "tunnel",
       "Tunnels",
       "numbers of the strokes whose inside is cut out of the finished surface")),
-    listing(parameter<System>(PROPERTY(System, Trace),
+    later(listing(parameter<System>(PROPERTY(System, Trace),
       "trace",
       "Traced",
       "trace the outline of what is at X,Y of the picture, px from its lower left corner, with its holes as "
-      "tunnels; auto for its largest thing; outlines come before the strokes")),
+      "tunnels; auto for its largest thing; outlines come before the strokes"))),
     actingWith("Picture",
       parameter<System>(PROPERTY(System, Magnetic),
         "magnetic",

@@ -3,6 +3,7 @@
 #ifndef oversketch_applications_session_testing_toys_h
 #define oversketch_applications_session_testing_toys_h
 
+#include "parameters.h"
 #include "session.h"
 #include "systems.h"
 
