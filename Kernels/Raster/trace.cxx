@@ -241,6 +241,11 @@ std::vector<TracedRim> rimsIn(const PictureSamples& picture,
     look(thing.solid, 0.7); // lines alone
   }
   cv::Mat1b whole = oneOf(kept, place);
+  constexpr double speck = 0.001; // of the picture
+  if (!(place && whole(*place)) && cv::countNonZero(whole) < speck * static_cast<double>(whole.total()))
+  {
+    return {};
+  }
   // Ragged rims meet themselves, where slits and necks are not closed and cut.
   constexpr int narrowest = 3, widest = 9; // px
   for (int slit = narrowest;; slit += 2)

@@ -31,8 +31,9 @@ struct TracedRim
 //   stable extremal regions", 2002).
 // - Else what OpenCV's GrabCut finds on a copy of 256 px, seeded by the place and the picture's border.
 //
-// A place on nothing, and no place, mean the largest thing. A rim lies where coverage crosses one half:
-// alpha, or the share of a pixel's colour on the way from those outside to those inside near by.
+// A place on nothing, and no place, mean the largest thing, if that is a thousandth of the picture at least.
+// A rim lies where coverage crosses one half: alpha, or the share of a pixel's colour on the way from those
+// outside to those inside near by.
 //
 // What is narrower than 0.006 of the longer side, at least 3 px, and goes farther than 1.5 times that from
 // the rest is a whisker and left out; corners of 30 degrees and more stay. So are holes of a smaller mean

@@ -122,7 +122,7 @@ std::vector<Rise> risesOf(const Forest& forest,
         continue;
       }
       const double ratio = reach.distance / (taper * shapes[k].radius),
-                   feature = taper * shapes[k].profile(ratio);
+                   feature = taper * taper * shapes[k].profile(ratio);
       Rise rise{ reach.vertex, ratio, feature };
       if (options.sketch)
       {

@@ -342,7 +342,7 @@ TEST(Displace, TaperedLinesEndInPoints)
     const double end = 0.5 - std::abs(p.x());
     const double share = end >= 0.25 ? 1.0 : std::sin(2.0 * pi * std::max(0.0, end));
     const double height =
-      share > 0.0 ? 0.2 * share * std::max(0.0, 1.0 - std::abs(p.y()) / (0.25 * share)) : 0.0;
+      share > 0.0 ? 0.2 * share * share * std::max(0.0, 1.0 - std::abs(p.y()) / (0.25 * share)) : 0.0;
     EXPECT_NEAR(p.z(), height, 1e-14);
     beyond += end < 0.0 && end > -0.25 && std::abs(p.y()) < 0.1;
     within += height > 0.0 && share < 1.0;

@@ -119,7 +119,7 @@ TEST(Preview, OpenBentAndBareCurves)
   EXPECT_EQ(pointed.crest[0], curve.points[0]);
   EXPECT_LT((pointed.left[3] - curve.points[3]).norm(), 1e-15);
   const double share = std::sin(0.5 * pi / 1.5);
-  EXPECT_LT((pointed.crest[1] - Vector3(1, 0, 5.0 * share)).norm(), 1e-14);
+  EXPECT_LT((pointed.crest[1] - Vector3(1, 0, 5.0 * share * share)).norm(), 1e-14);
 }
 
 TEST(Preview, RefusesWhatDisplaceDoes)
