@@ -65,7 +65,7 @@ void putHold(const Bone& bone, vtkPolyData* hold)
   lines.Put(hold);
 }
 
-Message remarkOf(int folds, double share)
+Message remarkOf(vtkIdType folds, double share)
 {
   std::vector<Message> said;
   if (share > mostOfModel)
@@ -121,10 +121,11 @@ struct vtkOversketchPose::Inner
     Limb Part;
     std::shared_ptr<MovingPatch> Patch;
   };
-  KeptValue<Grip> Grips;
-  const Grip& GripOf(vtkPolyData* stroke, const Context& context, vtkIdType& count)
+  const Grip* Held = nullptr; // of the last bone
+  void FeedBone(vtkPolyData* stroke, const Context& context, vtkIdType& count)
   {
-    return this->Grips.Provide(StepKey({ this->MeshSeen, WholeKey(stroke) }, {}),
+    this->Held = nullptr;
+    this->Held = &this->Grips.Provide(StepKey({ this->MeshSeen, WholeKey(stroke) }, {}),
       [&]
       {
         ++count;
@@ -139,58 +140,64 @@ struct vtkOversketchPose::Inner
   }
 
   KeptOutput Kept;
-  // Figures of what is kept; null after a run that failed the output.
-  Posed Pose;
-  int Folds = 0;
-  vtkIdType Moved = 0;
+  struct Counts
+  {
+    vtkIdType Moved = 0, Joints = 0, Folds = 0;
+    double Bend = 0.0;
+  };
+  Counts Figures; // of what is kept
 
   struct Result
   {
     vtkNew<vtkPolyData> Output, Hold;
-    std::vector<char> IsLimb; // by point of the output
-    double Share = 0.0;
+    std::vector<char> Moves; // by point of the output: those of a limb that moves
+    double Share = 0.0;      // the limb's, of the welded points
+    Counts Figures;
   };
   std::unique_ptr<Result> Made; // null after a run that failed
 
-  void PutPosed(vtkPolyData* mesh, const Grip& grip, vtkPolyData* result)
+  void Move(vtkPolyData* mesh, const Posed& made, vtkPolyData* result)
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->DeepCopy(this->Mesh->GetPoints());
-    for (std::size_t i = 0; i < grip.Part.vertices.size(); ++i)
+    for (std::size_t i = 0; i < made.places.size(); ++i)
     {
-      points->SetPoint(grip.Part.vertices[i], this->Pose.places[i].data());
+      points->SetPoint(this->Held->Part.vertices[i], made.places[i].data());
     }
     vtkNew<vtkPolyData> moved;
     moved->SetPoints(points);
     this->Welding->Move(mesh, moved, result);
-    this->Moved = 0;
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      this->Moved += Vector3(mesh->GetPoint(i)) != Vector3(result->GetPoint(i));
+      this->Figures.Moved += Vector3(mesh->GetPoint(i)) != Vector3(result->GetPoint(i));
     }
   }
 
-  void Keep(const Grip& grip, vtkPolyData* output)
+  void Keep(vtkPolyData* output)
   {
     auto made = std::make_unique<Result>();
     std::vector<char> isLimb(this->Data->Surface().points.size(), 0);
-    for (const int v : grip.Part.vertices)
+    for (const int v : this->Held->Part.vertices)
     {
       isLimb[v] = 1;
     }
-    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    made->Moves.assign(static_cast<std::size_t>(output->GetNumberOfPoints()), 0);
+    for (std::size_t i = 0; this->Figures.Moved > 0 && i < made->Moves.size(); ++i)
     {
-      made->IsLimb.push_back(isLimb[this->Welding->VertexOf(i)]);
+      made->Moves[i] = isLimb[this->Welding->VertexOf(static_cast<vtkIdType>(i))];
     }
-    made->Share = static_cast<double>(grip.Part.vertices.size()) / static_cast<double>(isLimb.size());
+    made->Share =
+      static_cast<double>(this->Held->Part.vertices.size()) / static_cast<double>(isLimb.size());
     made->Output->ShallowCopy(output);
-    putHold(grip.Line, made->Hold);
+    made->Figures = this->Figures;
+    putHold(this->Held->Line, made->Hold);
     this->Made = std::move(made);
   }
 
 private:
   MeshKey MeshSeen;
+  KeptValue<Grip> Grips;
 };
 
 vtkStandardNewMacro(vtkOversketchPose);
@@ -220,50 +227,76 @@ int vtkOversketchPose::RequestData(vtkInformation*,
       {
         return;
       }
-      RequireFinite(this->Softness, "Softness");
       vtkPolyData* bone = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* pose = vtkPolyData::GetData(inputs[2]);
-      if (isAbsent(bone))
-      {
-        throw Error(Failure::BadStroke,
-          "There is no bone; draw one along a limb, from the joint that stays to the tip.");
-      }
-      inner.FeedMesh(mesh, ContextOf(this, 0.0, 0.3));
-      const Inner::Grip& grip = inner.GripOf(bone, ContextOf(this, 0.3, 0.6), this->LimbCount);
-      const MeshKey course = isAbsent(pose) ? MeshKey() : WholeKey(pose);
-      const StepKey key(
-        { WholeKey(mesh), WholeKey(bone), course }, { this->Softness, this->Stretch ? 1.0 : 0.0 });
-      inner.Kept.Provide(key,
-        output,
-        [&](vtkPolyData* result)
-        {
-          inner.Pose = {};
-          inner.Folds = 0;
-          inner.Moved = 0;
-          if (isAbsent(pose))
-          {
-            result->ShallowCopy(mesh);
-            return;
-          }
-          const DrawnBone drawn = drawnBoneOf(pose, poseRefused);
-          inner.Pose = posed(grip.Patch->rest(),
-            grip.Part,
-            grip.Line,
-            drawn.view,
-            drawn.line,
-            { this->Softness, this->Stretch },
-            ContextOf(this, 0.6, 0.8));
-          inner.Folds =
-            grip.Patch
-              ->shapeAt(inner.Pose.places, MovingPatch::Normals::None, ContextOf(this, 0.8, 1.0))
-              .foldedEdges;
-          inner.PutPosed(mesh, grip, result);
-        });
-      inner.Keep(grip, output);
-      remark = remarkOf(inner.Folds, inner.Made->Share);
+      this->PutPosed(mesh, bone, vtkPolyData::GetData(inputs[2]), output);
+      inner.Keep(output);
+      remark = remarkOf(inner.Made->Figures.Folds, inner.Made->Share);
     });
   this->SetRemark(remark);
   return done;
+}
+
+void vtkOversketchPose::PutPosed(vtkPolyData* mesh,
+  vtkPolyData* bone,
+  vtkPolyData* pose,
+  vtkPolyData* output)
+{
+  Inner& inner = *this->Internals;
+  RequireFinite(this->Softness, "Softness");
+  if (isAbsent(bone))
+  {
+    throw Error(Failure::BadStroke,
+      "There is no bone; draw one along a limb, from the joint that stays to the tip.");
+  }
+  inner.FeedMesh(mesh, ContextOf(this, 0.0, 0.3));
+  inner.FeedBone(bone, ContextOf(this, 0.3, 0.6), this->LimbCount);
+  const Inner::Grip& grip = *inner.Held;
+  const MeshKey course = isAbsent(pose) ? MeshKey() : WholeKey(pose);
+  const StepKey key(
+    { WholeKey(mesh), WholeKey(bone), course }, { this->Softness, this->Stretch ? 1.0 : 0.0 });
+  inner.Kept.Provide(key,
+    output,
+    [&](vtkPolyData* result)
+    {
+      inner.Figures = Inner::Counts();
+      if (isAbsent(pose))
+      {
+        result->ShallowCopy(mesh);
+        return;
+      }
+      const DrawnBone drawn = drawnBoneOf(pose, poseRefused);
+      const Posed made = posed(grip.Patch->rest(),
+        grip.Part,
+        grip.Line,
+        drawn.view,
+        drawn.line,
+        { this->Softness, this->Stretch },
+        ContextOf(this, 0.6, 0.8));
+      inner.Move(mesh, made, result);
+      inner.Figures.Joints = made.joints;
+      inner.Figures.Bend = made.bend;
+      inner.Figures.Folds =
+        grip.Patch->shapeAt(made.places, MovingPatch::Normals::None, ContextOf(this, 0.8, 1.0)).foldedEdges;
+    });
+}
+
+bool vtkOversketchPose::PreviewPose(vtkPolyData* preview)
+{
+  return this->Try(
+    [&]
+    {
+      auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
+      auto* bone = vtkPolyData::SafeDownCast(this->UpdatedInput(1));
+      auto* pose = vtkPolyData::SafeDownCast(this->UpdatedInput(2));
+      if (!mesh || mesh->GetNumberOfPoints() == 0 || isAbsent(bone) || isAbsent(pose))
+      {
+        return false;
+      }
+      vtkNew<vtkPolyData> made;
+      this->PutPosed(mesh, bone, pose, made);
+      preview->ShallowCopy(made);
+      return true;
+    });
 }
 
 bool vtkOversketchPose::Prepare()
@@ -317,22 +350,22 @@ void vtkOversketchPose::GetRegion(vtkPolyData* region)
   region->Initialize();
   if (this->Internals->Made)
   {
-    PutTriangles(this->Internals->Made->Output, this->Internals->Made->IsLimb, 1, region);
+    PutTriangles(this->Internals->Made->Output, this->Internals->Made->Moves, 1, region);
   }
 }
 
 vtkOversketchSystem::FigureList vtkOversketchPose::Figures()
 {
-  const Inner& inner = *this->Internals;
-  if (!inner.Made)
+  if (!this->Internals->Made)
   {
     return {};
   }
-  return { { "moved", inner.Moved },
-    { "joints", static_cast<vtkIdType>(inner.Pose.joints) },
-    { "bend", inner.Pose.bend },
-    { "folded_edges", static_cast<vtkIdType>(inner.Folds) },
-    { "share", inner.Made->Share } };
+  const auto& figures = this->Internals->Made->Figures;
+  return { { "moved", figures.Moved },
+    { "joints", figures.Joints },
+    { "bend", figures.Bend },
+    { "folded_edges", figures.Folds },
+    { "share", this->Internals->Made->Share } };
 }
 
 void vtkOversketchPose::PrintSelf(ostream& os, vtkIndent indent)

@@ -85,8 +85,14 @@ public:
   // The bone, where the surface is seen over it.
   bool Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold) override;
   void GetHold(vtkPolyData* hold) override;
-  // The triangles of the limb.
+  // The triangles of the limb, where a pose moves it.
   void GetRegion(vtkPolyData* region) override;
+  /**
+   * Output for the inputs and parameters by now, without a run: to be shown while the pose is drawn. What
+   * port 2 has may be replaced each time; bone and limb are kept. False, and `preview` as it was, where there
+   * is no mesh, bone or pose, or the limb cannot be posed; the error code tells why.
+   */
+  bool PreviewPose(vtkPolyData* preview);
   /**
    * "moved": how many points of the output lie elsewhere; "joints": places of the bone that turn by over a
    * degree; "bend": the largest angle between bone and pose [degrees]; "folded_edges": edges whose triangles'
@@ -108,6 +114,8 @@ private:
   double Softness = 1.0;
   bool Stretch = false;
   vtkIdType LimbCount = 0;
+
+  void PutPosed(vtkPolyData* mesh, vtkPolyData* bone, vtkPolyData* pose, vtkPolyData* output);
 
   struct Inner;
   std::unique_ptr<Inner> Internals;

@@ -16,6 +16,9 @@
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
 #endif
+#ifdef OVERSKETCH_WITH_POSE
+#include "vtkOversketchPose.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "vtkOversketchRelax.h"
 #endif

@@ -246,6 +246,7 @@ int Hand::key()
     Qt::Key_1,
     Qt::Key_2,
     Qt::Key_3,
+    Qt::Key_4,
     Qt::Key_W,
     Qt::Key_C,
     Qt::Key_H,
