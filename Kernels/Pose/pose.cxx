@@ -25,13 +25,14 @@ struct Turn
   double angle;               // to the left
   double begin, width, middle; // lengths along the bone; the share of the width up to the place
 
-  // The share of the angle at a length along the bone: its slope is even round the place, and falls to 0
-  // towards both ends, over half of the way there.
+  // The share of the angle at a length along the bone: its slope is even round the place, and falls to 0 over
+  // the last two fifths of the way to either end. A steeper one folds the inside of a right angle, a longer
+  // even one thins the limb.
   double shareAt(double along) const
   {
-    constexpr double slope = 4.0 / 3.0;
+    constexpr double slope = 1.25;
     const double x = (along - this->begin) / this->width;
-    const double rise = 0.5 * this->middle, fall = 0.5 * (1.0 - this->middle);
+    const double rise = 0.4 * this->middle, fall = 0.4 * (1.0 - this->middle);
     if (!(x > 0.0))
     {
       return 0.0;
