@@ -187,8 +187,7 @@ struct vtkOversketchPose::Inner
     {
       made->Moves[i] = isLimb[this->Welding->VertexOf(static_cast<vtkIdType>(i))];
     }
-    made->Share =
-      static_cast<double>(this->Held->Part.vertices.size()) / static_cast<double>(isLimb.size());
+    made->Share = static_cast<double>(this->Held->Part.vertices.size()) / static_cast<double>(isLimb.size());
     made->Output->ShallowCopy(output);
     made->Figures = this->Figures;
     putHold(this->Held->Line, made->Hold);
@@ -236,17 +235,14 @@ int vtkOversketchPose::RequestData(vtkInformation*,
   return done;
 }
 
-void vtkOversketchPose::PutPosed(vtkPolyData* mesh,
-  vtkPolyData* bone,
-  vtkPolyData* pose,
-  vtkPolyData* output)
+void vtkOversketchPose::PutPosed(vtkPolyData* mesh, vtkPolyData* bone, vtkPolyData* pose, vtkPolyData* output)
 {
   Inner& inner = *this->Internals;
   RequireFinite(this->Softness, "Softness");
   if (isAbsent(bone))
   {
-    throw Error(Failure::BadStroke,
-      "There is no bone; draw one along a limb, from the joint that stays to the tip.");
+    throw Error(
+      Failure::BadStroke, "There is no bone; draw one along a limb, from the joint that stays to the tip.");
   }
   inner.FeedMesh(mesh, ContextOf(this, 0.0, 0.3));
   inner.FeedBone(bone, ContextOf(this, 0.3, 0.6), this->LimbCount);

@@ -14,7 +14,7 @@ namespace
 
 constexpr double stepPixels = 6.0;
 constexpr int fewestSteps = 2, mostSteps = 48;
-constexpr int smoothings = 8;
+constexpr int depthRounds = 8;
 
 struct Steps
 {
@@ -59,7 +59,7 @@ struct Crossing
   SurfaceHit entry, exit;
 };
 
-// Where a ray enters the model first, and where it leaves what it has entered.
+// Finds where a ray enters the model first, and where it leaves what it has entered.
 std::optional<Crossing> crossingOf(const SurfaceRays& surface, const Ray& ray)
 {
   Crossing found;
@@ -108,7 +108,7 @@ void smooth(std::vector<double>& values)
     std::nth_element(near.begin(), near.begin() + reach, near.end());
     values[i] = near[reach];
   }
-  for (int round = 0; round < smoothings; ++round)
+  for (int round = 0; round < depthRounds; ++round)
   {
     const std::vector<double> before = values;
     for (int i = 1; i + 1 < count; ++i)
@@ -157,8 +157,8 @@ double scaleToEnd(const Polyline& line, const std::vector<double>& steps)
 
 Bone boneUnder(const SurfaceRays& surface, const View& view, const Polyline& line, const Context& context)
 {
-  const int count = std::clamp(
-    static_cast<int>(std::lround(arcLengths(line).back() / stepPixels)), fewestSteps, mostSteps);
+  const int count =
+    std::clamp(static_cast<int>(std::lround(arcLengths(line).back() / stepPixels)), fewestSteps, mostSteps);
   const std::vector<double> even(static_cast<std::size_t>(count), 1.0);
   const Polyline places = stepsOn(line, even, scaleToEnd(line, even)).places;
   std::vector<std::optional<Crossing>> crossings(places.size());

@@ -14,12 +14,13 @@ namespace oversketch
 
 struct Bone
 {
-  std::vector<Vector3> places;     // from the joint that stays to the tip
-  std::vector<double> along;       // length from the joint to each
-  std::vector<double> thickness;   // of the limb at each, along the line of sight [model length]
-  std::vector<Vector3> seen;       // the limb's front over the places, where a ray meets it
-  std::array<int, 2> joint;        // triangles in front of the joint and behind it
-  Vector3 across = Vector3::Zero(); // unit normal, towards the tip, of the plane that cuts the limb at the joint
+  std::vector<Vector3> places;   // from the joint that stays to the tip
+  std::vector<double> along;     // length from the joint to each
+  std::vector<double> thickness; // of the limb at each, along the line of sight [model length]
+  std::vector<Vector3> seen;     // the limb's front over the places, where a ray meets it
+  std::array<int, 2> joint;      // triangles in front of the joint and behind it
+  Vector3 across =
+    Vector3::Zero(); // unit normal, towards the tip, of the plane that cuts the limb at the joint
 };
 
 // The centre line under a line in the picture [px], whose first place is the joint: 3 to 49 places at equal

@@ -15,14 +15,14 @@ namespace oversketch
 namespace
 {
 
-constexpr int smoothings = 4;
+constexpr int smoothRounds = 4;
 constexpr int lookEvery = 65536; // vertices between two looks at the caller
 
 // The limb's cross-section by the plane at the joint.
 struct CrossSection
 {
-  std::vector<double> height; // of each vertex over the plane, above 0 on the tip's side
-  std::vector<char> isCut;    // by edge: whether the cross-section crosses it
+  std::vector<double> height;      // of each vertex over the plane, above 0 on the tip's side
+  std::vector<char> isCut;         // by edge: whether the cross-section crosses it
   std::vector<int> before, beyond; // ends of these edges on either side
 };
 
@@ -81,7 +81,7 @@ CrossSection crossSectionOf(const Mesh& mesh, const Adjacency& adjacency, const 
   return section;
 }
 
-// What the surface joins to the cross-section's far side, over edges that may be crossed.
+// Marks what the surface joins to the cross-section's far side, over edges that may be crossed.
 std::vector<char> flooded(const Adjacency& adjacency,
   const CrossSection& section,
   const std::function<bool(int from, int to)>& mayCross)
@@ -112,9 +112,7 @@ std::vector<char> regionOf(const Adjacency& adjacency, const CrossSection& secti
   std::vector<char> region = flooded(adjacency,
     section,
     [&](int from, int to)
-    {
-      return isOverPlane(from) == isOverPlane(to) || !section.isCut[adjacency.findEdge(from, to)];
-    });
+    { return isOverPlane(from) == isOverPlane(to) || !section.isCut[adjacency.findEdge(from, to)]; });
   if (std::any_of(section.before.begin(), section.before.end(), [&](int v) { return region[v] != 0; }))
   {
     region = flooded(adjacency, section, [&](int, int to) { return isOverPlane(to); });
@@ -135,8 +133,8 @@ double nearestAlong(const Bone& bone, const Vector3& p, double about, double rea
       continue;
     }
     const Vector3 way = bone.places[i + 1] - bone.places[i], offset = p - bone.places[i];
-    const double t = std::clamp(
-      bone.along[i] + nearestShare(offset, way) * length, about - reach, about + reach);
+    const double t =
+      std::clamp(bone.along[i] + nearestShare(offset, way) * length, about - reach, about + reach);
     const double found = (offset - (t - bone.along[i]) / length * way).squaredNorm();
     if (found < square)
     {
@@ -216,12 +214,13 @@ Limb limbOf(const Mesh& mesh, const Adjacency& adjacency, const Bone& bone, cons
   }
   context.checkpoint(0.9);
 
-  // As if the bone went on before the joint, so that what stays beside it does not draw the first points back.
+  // As if the bone went on before the joint, so that what stays beside it does not draw the first points
+  // back.
   for (const int v : section.before)
   {
     parameter[v] = std::min(0.0, section.height[v]);
   }
-  for (int round = 0; round < smoothings; ++round)
+  for (int round = 0; round < smoothRounds; ++round)
   {
     const std::vector<double> before = parameter;
     context.each(static_cast<int>(limb.size()),
@@ -234,7 +233,8 @@ Limb limbOf(const Mesh& mesh, const Adjacency& adjacency, const Bone& bone, cons
           sum += before[n];
         }
         const int count = adjacency.vertexVertices.size(v);
-        parameter[v] = std::clamp(count > 0 ? 0.5 * (before[v] + sum / count) : before[v], 0.0, bone.along.back());
+        parameter[v] =
+          std::clamp(count > 0 ? 0.5 * (before[v] + sum / count) : before[v], 0.0, bone.along.back());
       });
   }
   return { limb, valuesAt(parameter, limb) };

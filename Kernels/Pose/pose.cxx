@@ -16,13 +16,13 @@ namespace
 
 constexpr double still = 1e-7;    // an angle, or a share of a length
 constexpr double leastBone = 5.0; // px: a shorter one has no direction in the picture
-constexpr double degrees = 180.0 / EIGEN_PI;
+constexpr double degrees = 180.0 / static_cast<double>(EIGEN_PI);
 
 // A turn of what lies beyond a place of the bone.
 struct Turn
 {
-  Vector2 centre;             // in the plane of the picture, from the joint [model length]
-  double angle;               // to the left
+  Vector2 centre;              // in the plane of the picture, from the joint [model length]
+  double angle;                // to the left
   double begin, width, middle; // lengths along the bone; the share of the width up to the place
 
   // The share of the angle at a length along the bone: its slope is even round the place, and falls to 0 over

@@ -45,7 +45,8 @@ struct Posing
   }
   Mesh posedAlong(const Polyline& course, const PoseOptions& options = {})
   {
-    this->made = posed(valuesAt(this->mesh.points, this->limb.vertices), this->limb, this->bone, this->view, course, options);
+    this->made = posed(
+      valuesAt(this->mesh.points, this->limb.vertices), this->limb, this->bone, this->view, course, options);
     Mesh result = this->mesh;
     for (std::size_t i = 0; i < this->limb.vertices.size(); ++i)
     {

@@ -115,13 +115,15 @@ inline Mesh cylinder(double radius, double length, int around, int along)
     { return Vector3(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), length * v); });
 }
 
-// Capsule round the x axis, its straight part from -half to half: `along` quads long, with one point at each end.
+// Capsule round the x axis, its straight part from -half to half: `along` quads long, with one point at each
+// end.
 inline Mesh capsule(double radius, double half, int around, int along)
 {
   const int cap = around / 4;
   std::vector<Vector2> outline; // x, distance from the axis
   for (int i = 1; i < cap; ++i)
-    outline.emplace_back(-half - radius * std::cos(0.5 * pi * i / cap), radius * std::sin(0.5 * pi * i / cap));
+    outline.emplace_back(
+      -half - radius * std::cos(0.5 * pi * i / cap), radius * std::sin(0.5 * pi * i / cap));
   for (int i = 0; i <= along; ++i)
     outline.emplace_back(half * (2.0 * i / along - 1.0), radius);
   for (int i = cap - 1; i > 0; --i)

@@ -465,9 +465,11 @@ SystemRow pose()
     Kind::Stroke,
     1 };
   bone.byOption = true;
-  row.inputs = { { "Mesh", "mesh", "the mesh whose limb is bent", Kind::Mesh, 0 },
+  row.inputs = {
+    { "Mesh", "mesh", "the mesh whose limb is bent", Kind::Mesh, 0 },
     bone,
-    { "Pose", "pose", "where the bone is to go: a polyline alike, from the joint on", Kind::Stroke, 2, true } };
+    { "Pose", "pose", "where the bone is to go: a polyline alike, from the joint on", Kind::Stroke, 2, true }
+  };
   row.parameters = {
     actingWith("Pose",
       between(0.05,

@@ -114,13 +114,13 @@ TEST(Pose, ABoneIsHeldAndItsCourseBendsTheLegUnderThePen)
   EXPECT_LT(moved, scene.before->GetNumberOfPoints() / 4);
 
   // Drawn again it is another course of the same bone.
-  const std::string digest = scene.document->digest().toStdString();
+  const std::string digest = scene.document->digest();
   scene.line(scene.joint, scene.joint + QPoint(-45, 35));
   EXPECT_EQ(scene.document->session().nodes.size(), 1u);
-  EXPECT_NE(scene.document->digest().toStdString(), digest);
+  EXPECT_NE(scene.document->digest(), digest);
   scene.document->undo();
   scene.wait();
-  EXPECT_EQ(scene.document->digest().toStdString(), digest);
+  EXPECT_EQ(scene.document->digest(), digest);
   scene.document->undo();
   scene.wait();
   EXPECT_EQ(scene.moved(scene.document->result().mesh), 0);

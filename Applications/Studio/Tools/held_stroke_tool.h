@@ -73,10 +73,10 @@ protected:
   // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
   // the stroke would make is looked for there while it is moved.
   virtual vtkSmartPointer<vtkPolyData> meshBefore() const { return nullptr; }
-  // Whether the red line can be taken hold of and moved.
+  // Says whether the red line can be taken hold of and moved.
   virtual bool grabs() const { return true; }
-  // A line that the hand has begun: whether it is for the step that is offered, and begins none. Such a line
-  // has grown; it is whole; it has ended, whole or dropped.
+  // Tells of a line that the hand has begun whether it is for the step that is offered, and begins none. Such
+  // a line has grown; it is whole; it has ended, whole or dropped.
   virtual bool takesLine(vtkPolyData*) { return false; }
   virtual void lineGrows(vtkPolyData*) {}
   virtual void lineWhole(vtkPolyData*) {}

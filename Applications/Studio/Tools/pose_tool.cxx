@@ -4,11 +4,13 @@
 #include "systems.h"
 #include "viewport.h"
 
+#include "Mesh/view.h"
+#include "Stroke/polyline.h"
+#include "vtkOversketchFilterTools.h"
 #include "vtkOversketchPose.h"
 #include "vtkOversketchSharedMesh.h"
 
 #include "vtkFloatArray.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -27,9 +29,10 @@ constexpr const char* poseSystem = "Pose";
 constexpr const char* boneInput = "Bone";
 constexpr const char* courseInput = "Pose";
 
-constexpr double nearOfLength = 1.0 / 3.0; // of the bone's: a line that begins so near to its joint is its course
-constexpr double leastNear = 20.0;         // px as Qt counts them
-constexpr vtkIdType mostLive = 300000;     // triangles of a mesh that follows while the pen moves
+constexpr double nearOfLength =
+  1.0 / 3.0;                           // of the bone's: a line that begins so near to its joint is its course
+constexpr double leastNear = 20.0;     // px as Qt counts them
+constexpr vtkIdType mostLive = 300000; // triangles of a mesh that follows while the pen moves
 
 // A mesh as it is shown, with normals.
 vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
@@ -123,11 +126,7 @@ bool PoseTool::isAtJoint(vtkPolyData* line) const
     const Point& place = this->Offered->place;
     const double depth = drawn.depth({ place[0], place[1], place[2] });
     const std::vector<oversketch::Vector2> samples = oversketch::StrokeOf(bone);
-    double length = 0.0;
-    for (std::size_t i = 1; i < samples.size(); ++i)
-    {
-      length += (samples[i] - samples[i - 1]).norm();
-    }
+    const double length = oversketch::arcLengths(samples).back();
     const oversketch::Vector3 joint = now.toDisplay(drawn.toWorld(samples.front(), depth));
     const double away = (joint.head<2>() - oversketch::Vector3(line->GetPoint(0)).head<2>()).norm();
     return away <= std::max(leastNear * this->viewport()->devicePixelRatioF(), nearOfLength * length);

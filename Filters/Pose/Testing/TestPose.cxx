@@ -201,8 +201,8 @@ TEST_F(Pose, ABadHandIsToldWhatIsWrong)
   vtkNew<vtkPolyData> none;
   this->filter->SetBoneData(none);
   expectRefusal(this->filter, Failure::BadStroke, "no bone");
-  this->filter->SetBoneData(
-    toStrokes({ { straight({ 400, 300 }, { 620, 300 }, 9), front() }, { straight({ 400, 310 }, { 620, 310 }, 9), front() } }));
+  this->filter->SetBoneData(toStrokes({ { straight({ 400, 300 }, { 620, 300 }, 9), front() },
+    { straight({ 400, 310 }, { 620, 310 }, 9), front() } }));
   expectRefusal(this->filter, Failure::BadStroke, "exactly one polyline");
   this->filter->SetBoneData(this->bone);
   this->filter->SetPoseData(toStroke({ { 400, 300 }, { std::nan(""), 300 } }, front()));
