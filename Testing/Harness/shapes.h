@@ -115,6 +115,40 @@ inline Mesh cylinder(double radius, double length, int around, int along)
     { return Vector3(radius * std::cos(2 * pi * u), radius * std::sin(2 * pi * u), length * v); });
 }
 
+// Capsule round the x axis, its straight part from -half to half: `along` quads long, with one point at each
+// end.
+inline Mesh capsule(double radius, double half, int around, int along)
+{
+  const int cap = around / 4;
+  std::vector<Vector2> outline; // x, distance from the axis
+  for (int i = 1; i < cap; ++i)
+    outline.emplace_back(
+      -half - radius * std::cos(0.5 * pi * i / cap), radius * std::sin(0.5 * pi * i / cap));
+  for (int i = 0; i <= along; ++i)
+    outline.emplace_back(half * (2.0 * i / along - 1.0), radius);
+  for (int i = cap - 1; i > 0; --i)
+    outline.emplace_back(half + radius * std::cos(0.5 * pi * i / cap), radius * std::sin(0.5 * pi * i / cap));
+  const int rings = static_cast<int>(outline.size());
+  Mesh m = gridSurface(around,
+    rings - 1,
+    true,
+    false,
+    [&](double u, double v)
+    {
+      const Vector2& p = outline[static_cast<std::size_t>(std::lround(v * (rings - 1)))];
+      return Vector3(p[0], p[1] * std::cos(2 * pi * u), p[1] * std::sin(2 * pi * u));
+    });
+  const int first = m.vertexCount(), last = first + 1, end = around * (rings - 1);
+  m.points.emplace_back(-half - radius, 0, 0);
+  m.points.emplace_back(half + radius, 0, 0);
+  for (int i = 0; i < around; ++i)
+  {
+    m.triangles.push_back({ first, (i + 1) % around, i });
+    m.triangles.push_back({ last, end + i, end + (i + 1) % around });
+  }
+  return m;
+}
+
 // Orthographic view from direction `from` (the viewer is at +infinity * from), `up` on screen, `pixels` per
 // unit of length, the world origin at the middle of the picture.
 inline View orthographicView(const Vector3& from,

@@ -6,6 +6,9 @@
 
 #include "vtkOversketchAugment.h"
 #include "vtkOversketchFilterTools.h"
+#ifdef OVERSKETCH_WITH_POSE
+#include "vtkOversketchPose.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "vtkOversketchRelax.h"
 #endif
@@ -138,6 +141,45 @@ TEST_P(HostileAugment, SixStrokesRelaxItOrGiveOneMessage)
       output->GetBounds(box);
       EXPECT_TRUE(std::all_of(box, box + 6, [](double side) { return std::isfinite(side); }));
       EXPECT_LT(output->GetLength(), 1.5 * polyData->GetLength());
+      continue;
+    }
+    ASSERT_EQ(ear.errors.size(), 1u) << (ear.errors.empty() ? "no message" : ear.errors[1]);
+    EXPECT_EQ(output->GetNumberOfPoints(), 0);
+    EXPECT_NE(system->GetErrorCode(), codeOf(Failure::Unexpected)) << ear.errors[0];
+  }
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_POSE
+TEST_P(HostileAugment, SixStrokesPoseItOrGiveOneMessage)
+{
+  const vtkSmartPointer<vtkPolyData> polyData = read();
+  if (!polyData)
+  {
+    return;
+  }
+  const Mesh mesh = MeshOf(polyData);
+  const View view = wholeView(mesh, GetParam().size() % 2 == 1);
+  vtkNew<vtkOversketchPose> system;
+  system->SetInputData(0, polyData);
+  for (const auto& [name, samples] : hostileStrokes(frontOf(mesh, view)))
+  {
+    SCOPED_TRACE(name);
+    Ear ear(system);
+    system->SetBoneData(toStroke(samples, view));
+    system->SetPoseData(toStroke({ samples.rbegin(), samples.rend() }, view));
+    const std::clock_t start = std::clock();
+    system->Update();
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, longestRun);
+    vtkPolyData* output = system->GetOutput();
+    if (system->GetErrorCode() == 0 && ear.errors.empty())
+    {
+      ASSERT_EQ(output->GetNumberOfPoints(), polyData->GetNumberOfPoints());
+      EXPECT_EQ(output->GetPolys(), polyData->GetPolys());
+      double box[6];
+      output->GetBounds(box);
+      EXPECT_TRUE(std::all_of(box, box + 6, [](double side) { return std::isfinite(side); }));
+      EXPECT_LT(output->GetLength(), 4.0 * polyData->GetLength());
       continue;
     }
     ASSERT_EQ(ear.errors.size(), 1u) << (ear.errors.empty() ? "no message" : ear.errors[1]);

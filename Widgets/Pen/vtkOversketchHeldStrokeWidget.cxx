@@ -172,11 +172,16 @@ void vtkOversketchHeldStrokeWidget::Keep(vtkPolyData* stroke)
   this->Stroke->ShallowCopy(copy);
 }
 
+bool vtkOversketchHeldStrokeWidget::IsOver(const int at[2])
+{
+  return this->GrabDistance > 0.0 &&
+         this->GetHeldStrokeRepresentation()->DistanceTo(at[0], at[1]) <= this->GrabDistance;
+}
+
 void vtkOversketchHeldStrokeWidget::Hover(const int at[2])
 {
   vtkOversketchHeldStrokeRepresentation* representation = this->GetHeldStrokeRepresentation();
-  const bool near =
-    representation->GetShowStroke() && representation->DistanceTo(at[0], at[1]) <= this->GrabDistance;
+  const bool near = representation->GetShowStroke() && this->IsOver(at);
   if (near != representation->GetHighlighted())
   {
     representation->SetHighlighted(near);
@@ -255,7 +260,7 @@ void vtkOversketchHeldStrokeWidget::Press(vtkAbstractWidget* widget)
   }
   vtkOversketchHeldStrokeRepresentation* representation = self->GetHeldStrokeRepresentation();
   const bool over = from->GetShiftKey() != 0;
-  if (representation->DistanceTo(at[0], at[1]) > self->GrabDistance || self->Pen->IsWaiting())
+  if (!self->IsOver(at) || self->Pen->IsWaiting())
   {
     if (!over && representation->GetShowStroke() && representation->HasStroke() && !self->Pen->IsWaiting())
     {

@@ -96,7 +96,8 @@ public:
 
   ///@{
   /**
-   * How near to the held stroke the cursor takes hold of it [px, 0 to 50, default 6].
+   * How near to the held stroke the cursor takes hold of it [px, 0 to 50, default 6; 0: nowhere does
+   * it].
    */
   vtkSetClampMacro(GrabDistance, double, 0.0, 50.0);
   vtkGetMacro(GrabDistance, double);
@@ -153,6 +154,7 @@ private:
   void Heard(vtkObject* pen, unsigned long event, void* data);
   void Wheel(int notches);
   void PenHasDrawn();
+  bool IsOver(const int at[2]);
   void BeginMove(const int at[2]);
   void Hover(const int at[2]);
 

@@ -8,7 +8,7 @@ from scene import *  # noqa: F403
 
 PAGES = sorted((SOURCE / "Documentation").glob("*.md"))
 LINE = re.compile(r"^oversketch (\S+ .*\bData/.*)$", re.M)
-VERBS = {"one-stroke": "one-stroke", "augment": "augment", "terrain": "augment", "edit": "edit", "relax": "relax", "mask": "mask",
+VERBS = {"one-stroke": "one-stroke", "augment": "augment", "terrain": "augment", "edit": "edit", "relax": "relax", "mask": "mask", "pose": "pose",
          "inflate": "drawings", "assemble": "drawings", "replay": "files"}
 OF_EVERY_COMMAND = {"--output", "--report", "--picture", "--turntable", "--backend", "--inner"}
 

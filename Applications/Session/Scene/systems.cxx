@@ -21,6 +21,9 @@
 #ifdef OVERSKETCH_WITH_ONESTROKE
 #include "vtkOversketchOneStroke.h"
 #endif
+#ifdef OVERSKETCH_WITH_POSE
+#include "vtkOversketchPose.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "vtkOversketchRelax.h"
 #endif
@@ -456,6 +459,52 @@ SystemRow terrain()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_POSE
+SystemRow pose()
+{
+  using System = vtkOversketchPose;
+  using Kind = SystemInput::Kind;
+  SystemRow row;
+  row.name = "Pose";
+  row.verb = "pose";
+  row.title = "Pose";
+  row.brief = "bend a limb with the pen, by a bone drawn along it and the bone's new course";
+  row.help =
+    "A line along a limb, from the joint that stays to the tip, is its bone; another one from the joint on "
+    "says where the bone is to go, in the plane of its picture. What the surface joins to the limb beyond "
+    "the joint bends with it. Without the second line the mesh stays as it is.";
+  row.make = make<System>;
+  SystemInput bone{ "Bone",
+    "bone",
+    "the bone: a polyline in pixels with its view, from the joint that stays to the limb's tip",
+    Kind::Stroke,
+    1 };
+  bone.byOption = true;
+  row.inputs = {
+    { "Mesh", "mesh", "the mesh whose limb is bent", Kind::Mesh, 0 },
+    bone,
+    { "Pose", "pose", "where the bone is to go: a polyline alike, from the joint on", Kind::Stroke, 2, true }
+  };
+  row.parameters = {
+    actingWith("Pose",
+      between(0.05,
+        20,
+        parameter<System>(PROPERTY(System, Softness),
+          "softness",
+          "Softness",
+          "length over which a joint bends, in thicknesses of the limb there"))),
+    actingWith("Pose",
+      parameter<System>(PROPERTY(System, Stretch),
+        "stretch",
+        "Stretch",
+        "stretch or shorten the limb, so that it ends where the new course does")),
+  };
+  row.mirroring = Mirroring::TwoRuns;
+  row.moves = true;
+  return row;
+}
+#endif
+
 #ifdef OVERSKETCH_WITH_RELAX
 SystemRow relax()
 {
@@ -575,6 +624,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     withDefaults(inflateDrawing()),
+#endif
+#ifdef OVERSKETCH_WITH_POSE
+    withDefaults(pose()),
 #endif
 #ifdef OVERSKETCH_WITH_RELAX
     withDefaults(relax()),

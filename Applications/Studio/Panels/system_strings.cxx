@@ -24,6 +24,7 @@ struct RowTexts
 
 const char* const terrainSystem = "Terrain";
 const char* const editSystemName = "Edit";
+const char* const poseSystemName = "Pose";
 
 // "12 %", also where that is less than half a hundredth.
 QString shareOf(double share)
@@ -53,6 +54,10 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
   if (step.system == editSystemName && state.share == 0.0)
   {
     return RowTexts::tr("ready: drag its line");
+  }
+  if (step.system == poseSystemName && state.share == 0.0)
+  {
+    return RowTexts::tr("ready: draw where it is to go");
   }
   const SystemRow* system = findSystem(step.system);
   const Parameter* height = system ? findParameter(*system, "Height") : nullptr;

@@ -212,7 +212,7 @@ void HeldStrokeTool::setPixelRatio(double ratio)
   {
     line->SetLineWidth(static_cast<float>(lineWidth * ratio));
   }
-  this->Widget->SetGrabDistance(strokeGrabDistance * ratio);
+  this->Widget->SetGrabDistance(this->grabs() ? strokeGrabDistance * ratio : 0.0);
   this->pen()->SetStabilizer(this->Steadiness * ratio);
 }
 
@@ -253,7 +253,7 @@ void HeldStrokeTool::shape(const Values& values, bool mergesIntoLast)
 bool HeldStrokeTool::holds(double x, double y)
 {
   const auto held = this->Widget->GetHeldStrokeRepresentation();
-  return held->GetShowStroke() && held->DistanceTo(x, y) <= this->Widget->GetGrabDistance();
+  return this->grabs() && held->GetShowStroke() && held->DistanceTo(x, y) <= this->Widget->GetGrabDistance();
 }
 
 void HeldStrokeTool::showLines(bool show)
@@ -265,6 +265,7 @@ void HeldStrokeTool::begins()
 {
   this->View->hideHint();
   this->MovePreview = nullptr;
+  this->TakesLine.reset();
   if (this->draws())
   {
     this->Section.lineBegins();
@@ -284,7 +285,13 @@ void HeldStrokeTool::handMoves()
     return;
   }
   Latency::of().sample();
-  this->Section.lineGrows();
+  vtkNew<vtkPolyData> line;
+  this->pen()->GetStrokeRepresentation()->GetPolyData(line);
+  if (!this->TakesLine && line->GetNumberOfPoints() > 0)
+  {
+    this->TakesLine = !this->Widget->IsRedrawing() && this->takesLine(line);
+  }
+  this->TakesLine.value_or(false) ? this->lineGrows(line) : this->Section.lineGrows();
 }
 
 void HeldStrokeTool::strokeEnds()
@@ -293,6 +300,11 @@ void HeldStrokeTool::strokeEnds()
   if (this->Widget->IsNew() && lengthOf(this->Widget->GetStroke()) < oversketch::StrokeRules().minimumLength)
   {
     emit this->tooShort(oversketch::StrokeRules().minimumLength);
+    return;
+  }
+  if (this->Widget->IsNew() && this->TakesLine.value_or(false))
+  {
+    this->lineWhole(this->Widget->GetStroke());
     return;
   }
   Step step;
@@ -348,6 +360,7 @@ void HeldStrokeTool::letGo()
   {
     this->View->showPreview(this->MovePreview->rest());
   }
+  this->lineEnds();
   emit this->left();
 }
 

@@ -73,6 +73,14 @@ protected:
   // The mesh that the step that is offered was drawn on, where it can be told from what is shown: then what
   // the stroke would make is looked for there while it is moved.
   virtual vtkSmartPointer<vtkPolyData> meshBefore() const { return nullptr; }
+  // Says whether the red line can be taken hold of and moved.
+  virtual bool grabs() const { return true; }
+  // Tells of a line that the hand has begun whether it is for the step that is offered, and begins none. Such
+  // a line has grown; it is whole; it has ended, whole or dropped.
+  virtual bool takesLine(vtkPolyData*) { return false; }
+  virtual void lineGrows(vtkPolyData*) {}
+  virtual void lineWhole(vtkPolyData*) {}
+  virtual void lineEnds() {}
   Viewport* viewport() const { return this->View; }
   const Document* document() const { return this->OpenDocument; }
 
@@ -96,6 +104,7 @@ private:
   std::shared_ptr<const oversketch_session::Following> Followed;
   std::unique_ptr<Preview> MovePreview; // while a stroke is moved
   bool LooksBefore = false;             // the same, over meshBefore()
+  std::optional<bool> TakesLine;        // while one is drawn, once that is known: takesLine
   double Ratio = 1.0, Steadiness = 6.0;
 };
 

@@ -16,6 +16,9 @@
 #include "mask_tool.h"
 #endif
 #include "one_stroke_tool.h"
+#ifdef OVERSKETCH_WITH_POSE
+#include "pose_tool.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "relax_tool.h"
 #endif
@@ -56,6 +59,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
     new ShadeTool(hand, viewport),
     new ProfileTool(hand, viewport),
     new DirectTool(hand, viewport),
+#endif
+#ifdef OVERSKETCH_WITH_POSE
+    new PoseTool(viewport, document),
 #endif
 #ifdef OVERSKETCH_WITH_AUGMENT
     new AugmentTool(viewport, document),
