@@ -1,5 +1,7 @@
 #include "systems.h"
 
+#include "parameters.h"
+
 #include "vtkOversketchSystem.h"
 
 #ifdef OVERSKETCH_WITH_AUGMENT
@@ -21,6 +23,9 @@
 #endif
 #ifdef OVERSKETCH_WITH_STELLAR
 #include "vtkOversketchTerrain.h"
+#endif
+#ifdef OVERSKETCH_WITH_TRANSFORM
+#include "vtkOversketchTransform.h"
 #endif
 
 namespace oversketch_session
@@ -486,6 +491,49 @@ SystemRow relax()
 }
 #endif
 
+#ifdef OVERSKETCH_WITH_TRANSFORM
+SystemRow transform()
+{
+  using System = vtkOversketchTransform;
+  SystemRow row;
+  row.name = "Transform";
+  row.verb = "transform";
+  row.title = "Place";
+  row.brief = "move, turn and scale a mesh or a part of it, or add its mirror image";
+  row.help = "Scales, turns and moves the mesh or one of its parts, about the middle of the box of what "
+             "moves, and adds "
+             "its image in a mirror where one is asked for. Lengths are those of the model.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is placed", SystemInput::Kind::Mesh, 0 } };
+  row.parameters = {
+    triple<System>(PROPERTY(System, Move), "move", "Move", "how far along x, y and z"),
+    triple<System>(PROPERTY(System, Turn), "turn", "Turn", "degrees about x, then y, then z"),
+    oneForAll(triple<System>(PROPERTY(System, Scale),
+      "scale",
+      "Scale",
+      "factors along x, y and z, before it is turned; one number for all three")),
+    between(-1,
+      1000000,
+      parameter<System>(
+        PROPERTY(System, Part), "part", "Part", "the part's number, as in cell array PartId; -1 for all")),
+    parameter<System>(PROPERTY(System, Copy),
+      "copy",
+      "Copy",
+      "add it once more, as a further part, in the mirror",
+      { { "off", "none" }, { "mirrored", "in the mirror" } }),
+    parameter<System>(PROPERTY(System, MirrorAxis),
+      "mirror-axis",
+      "Mirror across",
+      "the axis that the copy's mirror is upright on",
+      { { "x", "x" }, { "y", "y" }, { "z", "z" } }),
+    parameter<System>(
+      PROPERTY(System, MirrorOffset), "mirror-offset", "Mirror at", "where the mirror is on that axis"),
+  };
+  row.addsParts = true;
+  return row;
+}
+#endif
+
 #undef PROPERTY
 
 } // namespace
@@ -520,6 +568,9 @@ const std::vector<SystemRow>& systems()
 #endif
 #ifdef OVERSKETCH_WITH_STELLAR
     withDefaults(terrain()),
+#endif
+#ifdef OVERSKETCH_WITH_TRANSFORM
+    withDefaults(transform()),
 #endif
   };
   return rows;

@@ -10,7 +10,6 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -40,6 +39,7 @@ struct Parameter
   bool isLength = false;          // [model length]; a command line may give it as a share of the mesh's size
   bool isFile = false;            // of a text: a command line names a JSON file that says it
   bool isList = false;            // of a text: a command line may add to it, by the same option given again
+  bool oneForAll = false;         // of numbers: a command line, or who types, may give one for all of them
   std::string actsWith;           // the input without which it has no effect; empty for none
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
@@ -117,6 +117,8 @@ struct SystemRow
   bool skin = false;
   // Steps move parts of a mesh above all, so that a proxy will do for a large one (large_mesh.h).
   bool moves = false;
+  // A step may add parts to the mesh that comes to it.
+  bool addsParts = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // Other properties that the class lets be set, each with the reason why no step holds it.
@@ -147,100 +149,6 @@ const std::vector<std::string>& backendWords();
 
 // A step of the system by its name, or the system where that is empty.
 vtkAlgorithm* ownerOf(vtkOversketchSystem* system, const std::string& step);
-
-// For rows: a parameter of a step of the system, which does not repeat it; T is the step's class.
-template <typename T, typename Setter, typename Getter>
-Parameter ofStep(const std::string& step,
-  const std::string& property,
-  Setter setter,
-  Getter getter,
-  const std::string& word,
-  const std::string& title,
-  const std::string& help,
-  std::vector<Choice> choices = {})
-{
-  const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
-  using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
-  constexpr bool isText = std::is_same_v<Got, const char*>;
-  using Held = std::conditional_t<isText, std::string, Got>;
-  Parameter made;
-  made.property = property;
-  made.word = word;
-  made.title = title;
-  made.help = help;
-  made.choices = std::move(choices);
-  made.step = step;
-  made.set = [owner, setter](vtkOversketchSystem* system, const Value& value)
-  {
-    if constexpr (isText)
-    {
-      (owner(system)->*setter)(std::get<Held>(value).c_str());
-    }
-    else
-    {
-      (owner(system)->*setter)(std::get<Held>(value));
-    }
-  };
-  made.get = [owner, getter](vtkOversketchSystem* system) -> Value
-  { return Held((owner(system)->*getter)()); };
-  return made;
-}
-
-// A parameter of the system's own class.
-template <typename T, typename Setter, typename Getter>
-Parameter parameter(const std::string& property,
-  Setter setter,
-  Getter getter,
-  const std::string& word,
-  const std::string& title,
-  const std::string& help,
-  std::vector<Choice> choices = {})
-{
-  return ofStep<T>("", property, setter, getter, word, title, help, std::move(choices));
-}
-
-// Adds what a form offers of a number.
-inline Parameter between(double least, double most, Parameter made)
-{
-  made.least = least;
-  made.most = most;
-  return made;
-}
-
-// Adds what a form offers of a text.
-inline Parameter offering(std::vector<Choice> offers, Parameter made)
-{
-  made.offers = std::move(offers);
-  return made;
-}
-
-// Makes it a text that a command line takes from a file.
-inline Parameter fromFile(Parameter made)
-{
-  made.isFile = true;
-  return made;
-}
-
-// Makes it a text that a command line may add to.
-inline Parameter listing(Parameter made)
-{
-  made.isList = true;
-  return made;
-}
-
-// Makes it one that has no effect without an input.
-inline Parameter actingWith(const std::string& input, Parameter made)
-{
-  made.actsWith = input;
-  return made;
-}
-
-// Makes it a length.
-inline Parameter length(Parameter made)
-{
-  made.isLength = true;
-  return made;
-}
 
 // The row with the defaults of a fresh instance.
 SystemRow withDefaults(SystemRow row);

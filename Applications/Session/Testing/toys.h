@@ -3,8 +3,8 @@
 #ifndef oversketch_applications_session_testing_toys_h
 #define oversketch_applications_session_testing_toys_h
 
+#include "parameters.h"
 #include "session.h"
-#include "systems.h"
 
 #include "vtkOversketchSystem.h"
 

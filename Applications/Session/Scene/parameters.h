@@ -1,0 +1,143 @@
+// What rows of systems say of their parameters: how each is set and got, and what a form or a command line
+// makes of it.
+#ifndef oversketch_applications_session_scene_parameters_h
+#define oversketch_applications_session_scene_parameters_h
+
+#include "systems.h"
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace oversketch_session
+{
+
+// A parameter of a step of the system, which does not repeat it; T is the step's class.
+template <typename T, typename Setter, typename Getter>
+Parameter ofStep(const std::string& step,
+  const std::string& property,
+  Setter setter,
+  Getter getter,
+  const std::string& word,
+  const std::string& title,
+  const std::string& help,
+  std::vector<Choice> choices = {})
+{
+  const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
+  using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
+  constexpr bool isText = std::is_same_v<Got, const char*>;
+  using Held = std::conditional_t<isText, std::string, Got>;
+  Parameter made;
+  made.property = property;
+  made.word = word;
+  made.title = title;
+  made.help = help;
+  made.choices = std::move(choices);
+  made.step = step;
+  made.set = [owner, setter](vtkOversketchSystem* system, const Value& value)
+  {
+    if constexpr (isText)
+    {
+      (owner(system)->*setter)(std::get<Held>(value).c_str());
+    }
+    else
+    {
+      (owner(system)->*setter)(std::get<Held>(value));
+    }
+  };
+  made.get = [owner, getter](vtkOversketchSystem* system) -> Value
+  { return Held((owner(system)->*getter)()); };
+  return made;
+}
+
+// A parameter of the system's own class.
+template <typename T, typename Setter, typename Getter>
+Parameter parameter(const std::string& property,
+  Setter setter,
+  Getter getter,
+  const std::string& word,
+  const std::string& title,
+  const std::string& help,
+  std::vector<Choice> choices = {})
+{
+  return ofStep<T>("", property, setter, getter, word, title, help, std::move(choices));
+}
+
+// A parameter of the system's own class that is three numbers.
+template <typename T>
+Parameter triple(const std::string& property,
+  void (T::*setter)(const double*),
+  double* (T::*getter)(),
+  const std::string& word,
+  const std::string& title,
+  const std::string& help)
+{
+  Parameter made;
+  made.property = property;
+  made.word = word;
+  made.title = title;
+  made.help = help;
+  made.set = [setter](vtkOversketchSystem* system, const Value& value)
+  { (static_cast<T*>(system)->*setter)(std::get<std::vector<double>>(value).data()); };
+  made.get = [getter](vtkOversketchSystem* system) -> Value
+  {
+    const double* values = (static_cast<T*>(system)->*getter)();
+    return std::vector<double>(values, values + 3);
+  };
+  return made;
+}
+
+// Adds what a form offers of a number.
+inline Parameter between(double least, double most, Parameter made)
+{
+  made.least = least;
+  made.most = most;
+  return made;
+}
+
+// Adds what a form offers of a text.
+inline Parameter offering(std::vector<Choice> offers, Parameter made)
+{
+  made.offers = std::move(offers);
+  return made;
+}
+
+// Makes it a text that a command line takes from a file.
+inline Parameter fromFile(Parameter made)
+{
+  made.isFile = true;
+  return made;
+}
+
+// Makes it a text that a command line may add to.
+inline Parameter listing(Parameter made)
+{
+  made.isList = true;
+  return made;
+}
+
+// Makes one number stand for all where it is typed.
+inline Parameter oneForAll(Parameter made)
+{
+  made.oneForAll = true;
+  return made;
+}
+
+// Makes it one that has no effect without an input.
+inline Parameter actingWith(const std::string& input, Parameter made)
+{
+  made.actsWith = input;
+  return made;
+}
+
+// Makes it a length.
+inline Parameter length(Parameter made)
+{
+  made.isLength = true;
+  return made;
+}
+
+} // namespace oversketch_session
+#endif
