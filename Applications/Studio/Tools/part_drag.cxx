@@ -1,5 +1,6 @@
 #include "part_drag.h"
 
+#include "gizmo_drag.h"
 #include "parts.h"
 
 #include <algorithm>
@@ -53,37 +54,16 @@ Nearer nearerAt(const View& view, const Vector3& place)
   return { Vector2(-std::sqrt(0.5), -std::sqrt(0.5)), false };
 }
 
-// A ray through a pixel: a place on it about as far off as another one, and its direction.
-struct Ray
-{
-  Vector3 at, direction;
-};
-
-Ray rayAt(const View& view, const Vector2& display, const Vector3& place)
-{
-  const Vector3 at = view.toWorld(display, view.depth(place));
-  const Vector3 direction = -view.towardsViewer(at);
-  return { at, direction.normalized() };
-}
-
 std::optional<Vector2> onPlane(const View& view, const Vector2& display, const Vector3& place)
 {
-  const Ray ray = rayAt(view, display, place);
-  if (std::abs(ray.direction.z()) < grazing)
+  const Sight sight = sightAt(view, display, place);
+  if (std::abs(sight.direction().z()) < grazing)
   {
     return std::nullopt;
   }
-  const Vector3 met = ray.at + (place.z() - ray.at.z()) / ray.direction.z() * ray.direction;
+  const Vector3 met =
+    sight.origin() + (place.z() - sight.origin().z()) / sight.direction().z() * sight.direction();
   return view.inFront(met) ? std::optional<Vector2>(met.head<2>()) : std::nullopt;
-}
-
-// How far along z from a place the axis comes next to the ray.
-double alongAxis(const View& view, const Vector2& display, const Vector3& place)
-{
-  const Ray ray = rayAt(view, display, place);
-  const Vector3 from = place - ray.at;
-  const double slope = ray.direction.z();
-  return (slope * ray.direction.dot(from) - from.z()) / (1.0 - slope * slope);
 }
 
 // A box one of whose corners is moved, the opposite one stays.
@@ -137,7 +117,8 @@ PartPlace dragged(const View& view,
   if (handle == PartHandle::Depth)
   {
     const Nearer nearer = nearerAt(view, middle);
-    to.depth += nearer.isAxis ? alongAxis(view, now, middle) - alongAxis(view, start, middle)
+    to.depth += nearer.isAxis ? alongAxis(view, now, middle, Vector3::UnitZ()) -
+                                  alongAxis(view, start, middle, Vector3::UnitZ())
                               : (now - start).dot(nearer.direction) * pixelAt(view, middle);
   }
   else

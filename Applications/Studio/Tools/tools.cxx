@@ -13,6 +13,9 @@
 #include "shade_tool.h"
 #endif
 #include "one_stroke_tool.h"
+#ifdef OVERSKETCH_WITH_TRANSFORM
+#include "place_tool.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "relax_tool.h"
 #endif
@@ -62,6 +65,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     new DrawingTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_TRANSFORM
+    new PlaceTool(viewport, document),
 #endif
     new TurnTool(viewport),
   };
