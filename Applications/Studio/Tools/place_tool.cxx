@@ -134,9 +134,9 @@ QString PlaceTool::advice(const Situation&) const
                                         : tr("File > Open, then click on the model.");
   }
   return this->Gizmo.stand()
-           ? tr("Drag an arrow to move it, a ring to turn it, a box to scale it (Shift: all alike), the "
-                "square "
-                "in the picture's plane (Ctrl: onto what is under it).")
+           ? tr(
+               "Arrows move it, rings turn it, boxes scale it (Shift: all alike), the square moves it in the "
+               "picture (Ctrl: onto a surface). Escape lets go.")
            : tr("Click on the model or a part of it to move, turn and scale it. A double click adds its twin "
                 "in the mirror.");
 }
