@@ -59,15 +59,7 @@ std::string valueName(const Parameter& parameter)
     std::string operator()(bool usual) const { return usual ? "on|off" : ""; }
     std::string operator()(int) const { return "N"; }
     std::string operator()(double) const { return "X"; }
-    std::string operator()(const std::vector<double>& usual) const
-    {
-      std::string name = "X";
-      for (std::size_t i = 1; i < usual.size(); ++i)
-      {
-        name += ",X";
-      }
-      return name;
-    }
+    std::string operator()(const std::vector<double>&) const { return "X,X,…"; }
     std::string operator()(const std::string&) const { return "TEXT"; }
   };
   return std::visit(Kinds{}, parameter.initial);

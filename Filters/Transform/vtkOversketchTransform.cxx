@@ -1,9 +1,9 @@
 #include "vtkOversketchTransform.h"
 
-#include "Matrix/pose.h"
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -11,14 +11,17 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTransform.h"
 
-#include <algorithm>
+#include <Eigen/Geometry>
+
 #include <numeric>
 #include <regex>
 #include <string>
@@ -43,12 +46,12 @@ vtkIntArray* numbersOf(vtkPolyData* mesh)
   {
     throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
   }
-  for (vtkIdType f = 0; numbers && f < numbers->GetNumberOfTuples(); ++f)
+  const double* range = numbers ? numbers->GetRange(0) : nullptr;
+  if (range && (range[0] < 0.0 || range[1] > mostParts))
   {
-    if (const int number = numbers->GetValue(f); number < 0 || number > mostParts)
-    {
-      throw Error(Failure::BadMesh, "Cell array PartId holds %1; parts are counted from 0.", number);
-    }
+    throw Error(Failure::BadMesh,
+      "Cell array PartId holds %1; parts are counted from 0.",
+      static_cast<int>(range[0] < 0.0 ? range[0] : range[1]));
   }
   return numbers;
 }
@@ -58,57 +61,37 @@ int highestOf(vtkIntArray* numbers)
   return numbers && numbers->GetNumberOfTuples() > 0 ? static_cast<int>(numbers->GetRange(0)[1]) : 0;
 }
 
-// The things that are placed.
+// What is placed, or its copy, ascending.
 struct Chosen
 {
-  std::vector<char> points, faces; // 1 where they are
-  Eigen::AlignedBox3d box;
+  std::vector<vtkIdType> points, faces;
 };
 
-Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part, const Context& context)
+Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part)
 {
   Chosen chosen;
-  const vtkIdType count = mesh->GetNumberOfPoints(), faces = mesh->GetNumberOfPolys();
-  chosen.points.assign(static_cast<std::size_t>(count), part < 0);
-  chosen.faces.assign(static_cast<std::size_t>(faces), part < 0);
-  const auto isOf = [&](vtkIdType face)
-  { return part < 0 || (numbers ? numbers->GetValue(face) : 0) == part; };
-  bool isThere = part < 0;
-  for (const bool marks : { true, false }) // its own faces first
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  std::vector<char> own(static_cast<std::size_t>(count), part < 0), others(own.size(), 0);
+  for (vtkIdType f = 0; f < mesh->GetNumberOfPolys(); ++f)
   {
-    context.checkpoint(marks ? 0.0 : 0.2);
-    for (vtkIdType f = 0; f < faces; ++f)
+    const bool isOwn = part < 0 || (numbers ? numbers->GetValue(f) : 0) == part;
+    if (isOwn)
     {
-      if (isOf(f) != marks)
+      chosen.faces.push_back(f);
+    }
+    vtkIdType corners = 0;
+    const vtkIdType* ids = nullptr;
+    mesh->GetPolys()->GetCellAtId(f, corners, ids);
+    for (vtkIdType k = 0; k < corners; ++k)
+    {
+      if (ids[k] < 0 || ids[k] >= count)
       {
-        continue;
+        throw Error(Failure::BadMesh, "Face %1 names point %2, and there are %3 points.", f, ids[k], count);
       }
-      isThere = isThere || marks;
-      chosen.faces[f] = marks;
-      vtkIdType corners = 0;
-      const vtkIdType* ids = nullptr;
-      mesh->GetPolys()->GetCellAtId(f, corners, ids);
-      for (vtkIdType k = 0; k < corners; ++k)
-      {
-        if (ids[k] < 0 || ids[k] >= count)
-        {
-          throw Error(Failure::BadMesh, "Face %1 names point %2, and there are %3 points.", f, ids[k], count);
-        }
-        char& point = chosen.points[ids[k]];
-        if (!marks && point)
-        {
-          throw Error(Failure::BadMesh,
-            "Point %1 is of part %2 and of another one, so that neither can be placed alone; place all of "
-            "the "
-            "mesh, {Part -1}.",
-            ids[k],
-            part);
-        }
-        point = point || marks;
-      }
+      (isOwn ? own : others)[ids[k]] = 1;
     }
   }
-  if (!isThere)
+  if (part >= 0 && chosen.faces.empty())
   {
     throw Error(Failure::BadMesh,
       "The mesh has no part %1; the highest number is %2, and {Part -1} is all of it.",
@@ -117,134 +100,75 @@ Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part, const Context
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
-    const Vector3 place(mesh->GetPoint(i));
-    if (chosen.points[i] && !place.allFinite())
+    if (own[i] && others[i])
+    {
+      throw Error(Failure::BadMesh,
+        "Point %1 is of part %2 and of another one, so that neither can be placed alone; place all of the "
+        "mesh, {Part -1}.",
+        i,
+        part);
+    }
+    if (own[i] && !Vector3(mesh->GetPoint(i)).allFinite())
     {
       throw Error(Failure::BadMesh, "Point %1 is not finite; repair or remove it.", i);
     }
-    if (chosen.points[i])
+    if (own[i])
     {
-      chosen.box.extend(place);
+      chosen.points.push_back(i);
     }
   }
   return chosen;
 }
 
-bool areNormals(vtkDataArray* normals, std::size_t count)
-{
-  return normals && normals->GetNumberOfComponents() == 3 &&
-         normals->GetNumberOfTuples() == static_cast<vtkIdType>(count);
-}
-
-// Changes each chosen tuple of three.
+// An array of three components, changed at some places.
 template <typename Change>
-void changeTuples(vtkDataArray* tuples,
-  const std::vector<char>& chosen,
+vtkSmartPointer<vtkDataArray> changed(vtkDataArray* array,
+  const std::vector<vtkIdType>& at,
   const Context& context,
   const Change& change)
 {
-  context.each(static_cast<int>(chosen.size()),
+  const auto own = vtk::TakeSmartPointer(array->NewInstance());
+  own->DeepCopy(array);
+  context.each(static_cast<int>(at.size()),
     [&](int i)
     {
-      if (chosen[i])
-      {
-        Vector3 tuple;
-        tuples->GetTuple(i, tuple.data());
-        tuple = change(tuple);
-        tuples->SetTuple(i, tuple.data());
-      }
+      Vector3 tuple;
+      own->GetTuple(at[i], tuple.data());
+      tuple = change(tuple);
+      own->SetTuple(at[i], tuple.data());
     });
+  return own;
 }
 
-template <typename Change>
-void changeNormals(vtkDataSetAttributes* data,
-  const std::vector<char>& chosen,
-  const Context& context,
-  const Change& change)
+void transform(vtkPolyData* mesh, const Chosen& chosen, vtkTransform* transform, const Context& context)
 {
-  if (areNormals(data->GetNormals(), chosen.size()))
-  {
-    const auto normals = vtk::TakeSmartPointer(data->GetNormals()->NewInstance());
-    normals->DeepCopy(data->GetNormals());
-    changeTuples(normals, chosen, context, change);
-    data->SetNormals(normals);
-  }
-}
-
-void place(vtkPolyData* output, const Chosen& chosen, const Pose& pose, const Context& context)
-{
-  const Eigen::Affine3d transform = pose.about(chosen.box.center());
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const Vector3 at = transform * chosen.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-    if (!(at.cwiseAbs().maxCoeff() <= LargestCoordinate))
-    {
-      throw Error(Failure::BadMesh, "The mesh would lie beyond 1e12; give a smaller {Move} or {Scale}.");
-    }
-  }
-  vtkPoints* before = output->GetPoints();
+  using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+  const Eigen::Affine3d by(Eigen::Map<const Rows>(transform->GetMatrix()->GetData()));
+  const Eigen::Matrix3d turn = by.linear().inverse().transpose();
   vtkNew<vtkPoints> points;
-  points->SetDataType(before->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT);
-  points->DeepCopy(before);
-  changeTuples(points->GetData(),
+  points->SetData(changed(mesh->GetPoints()->GetData(),
     chosen.points,
     context,
-    [&transform](const Vector3& at) -> Vector3 { return transform * at; });
-  output->SetPoints(points);
-  const Eigen::Matrix3d turn = transform.linear().inverse().transpose();
-  const auto turned = [&turn](const Vector3& normal) -> Vector3 { return (turn * normal).normalized(); };
-  changeNormals(output->GetPointData(), chosen.points, context, turned);
-  changeNormals(output->GetCellData(), chosen.faces, context, turned);
-}
-
-// All elements in their order, then the chosen ones once more.
-std::vector<vtkIdType> repeated(const std::vector<char>& chosen)
-{
-  std::vector<vtkIdType> sources(chosen.size());
-  std::iota(sources.begin(), sources.end(), vtkIdType{ 0 });
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+    [&by](const Vector3& at) -> Vector3 { return by * at; }));
+  mesh->SetPoints(points);
+  if (!(ReachOf(mesh) <= LargestCoordinate))
   {
-    if (chosen[i])
+    throw Error(Failure::BadMesh, "The mesh would lie beyond 1e12; give a smaller {Move} or {Scale}.");
+  }
+  for (const bool ofPoints : { true, false })
+  {
+    vtkDataSetAttributes* data =
+      ofPoints ? static_cast<vtkDataSetAttributes*>(mesh->GetPointData()) : mesh->GetCellData();
+    vtkDataArray* normals = data->GetNormals();
+    if (normals && normals->GetNumberOfComponents() == 3 &&
+        normals->GetNumberOfTuples() == (ofPoints ? mesh->GetNumberOfPoints() : mesh->GetNumberOfPolys()))
     {
-      sources.push_back(static_cast<vtkIdType>(i));
+      data->SetNormals(changed(normals,
+        ofPoints ? chosen.points : chosen.faces,
+        context,
+        [&turn](const Vector3& normal) -> Vector3 { return (turn * normal).normalized(); }));
     }
   }
-  return sources;
-}
-
-// Marks of those that are there once more.
-std::vector<char> copiesOf(const std::vector<char>& chosen, std::size_t count)
-{
-  std::vector<char> copies(count, 1);
-  std::fill_n(copies.begin(), chosen.size(), char{ 0 });
-  return copies;
-}
-
-// The copied faces the other way round, from the same corner on.
-vtkSmartPointer<vtkCellArray> withReversed(vtkCellArray* polys,
-  const std::vector<vtkIdType>& points,
-  const std::vector<vtkIdType>& faces,
-  std::size_t pointCount)
-{
-  std::vector<vtkIdType> copy(pointCount, 0);
-  for (std::size_t i = pointCount; i < points.size(); ++i)
-  {
-    copy[points[i]] = static_cast<vtkIdType>(i);
-  }
-  auto all = vtkSmartPointer<vtkCellArray>::New();
-  all->DeepCopy(polys);
-  for (std::size_t i = polys->GetNumberOfCells(); i < faces.size(); ++i)
-  {
-    vtkIdType corners = 0;
-    const vtkIdType* ids = nullptr;
-    polys->GetCellAtId(faces[i], corners, ids);
-    all->InsertNextCell(static_cast<int>(corners));
-    for (vtkIdType k = 0; k < corners; ++k)
-    {
-      all->InsertCellPoint(copy[ids[(corners - k) % corners]]);
-    }
-  }
-  return all;
 }
 
 // Field arrays of parts, such as Part0.Texture, once more under the numbers of their copies.
@@ -258,61 +182,69 @@ void repeatFields(vtkFieldData* fields, int part, int first)
     std::smatch match;
     if (std::regex_match(name, match, ofPart) && (part < 0 || std::stoi(match[1]) == part))
     {
+      const int number = first + (part < 0 ? std::stoi(match[1]) : 0);
       const auto copy = vtk::TakeSmartPointer(array->NewInstance());
       copy->DeepCopy(array);
-      copy->SetName(
-        ("Part" + std::to_string(first + (part < 0 ? std::stoi(match[1]) : 0)) + "." + match[2].str())
-          .c_str());
+      copy->SetName(("Part" + std::to_string(number) + "." + match[2].str()).c_str());
       fields->AddArray(copy);
     }
   }
 }
 
-void addMirrored(vtkPolyData* output,
-  const Chosen& chosen,
-  int part,
-  int axis,
-  double offset,
-  const Context& context)
+// Adds the chosen elements of a mesh once more, their faces the other way round. Returns the new ones.
+Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
 {
-  vtkIntArray* numbers = numbersOf(output);
-  const int first = highestOf(numbers) + 1;
-  const std::vector<vtkIdType> points = repeated(chosen.points), faces = repeated(chosen.faces);
-  vtkNew<vtkPolyData> all;
-  vtkNew<vtkPoints> places;
-  places->SetData(CarriedArray(output->GetPoints()->GetData(), points));
-  all->SetPoints(places);
-  all->SetPolys(withReversed(output->GetPolys(), points, faces, chosen.points.size()));
-  CopyElements(output->GetPointData(), points, all->GetPointData());
-  CopyElements(output->GetCellData(), faces, all->GetCellData());
-  context.checkpoint(0.7);
-  const std::vector<char> newPoints = copiesOf(chosen.points, points.size()),
-                          newFaces = copiesOf(chosen.faces, faces.size());
-  changeTuples(places->GetData(),
-    newPoints,
-    context,
-    [=](Vector3 at)
-    {
-      at[axis] = 2.0 * offset - at[axis];
-      return at;
-    });
-  const auto mirrored = [=](Vector3 normal)
+  const auto addAgain = [](vtkIdType count, const std::vector<vtkIdType>& once, std::vector<vtkIdType>& added)
   {
-    normal[axis] = -normal[axis];
-    return normal;
+    std::vector<vtkIdType> sources(static_cast<std::size_t>(count));
+    std::iota(sources.begin(), sources.end(), vtkIdType{ 0 });
+    sources.insert(sources.end(), once.begin(), once.end());
+    added.resize(once.size());
+    std::iota(added.begin(), added.end(), count);
+    return sources;
   };
-  changeNormals(all->GetPointData(), newPoints, context, mirrored);
-  changeNormals(all->GetCellData(), newFaces, context, mirrored);
+  Chosen copy;
+  const auto points = addAgain(mesh->GetNumberOfPoints(), chosen.points, copy.points),
+             faces = addAgain(mesh->GetNumberOfPolys(), chosen.faces, copy.faces);
+  std::vector<vtkIdType> copyOf(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < copy.points.size(); ++i)
+  {
+    copyOf[chosen.points[i]] = copy.points[i];
+  }
+  vtkNew<vtkCellArray> polys;
+  polys->DeepCopy(mesh->GetPolys());
+  vtkIntArray* numbers = numbersOf(mesh);
+  const int first = highestOf(numbers) + 1;
   const auto parts = NewArray<vtkIntArray>("PartId", 1, faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     const int own = numbers ? numbers->GetValue(faces[f]) : 0;
-    parts->SetValue(static_cast<vtkIdType>(f), !newFaces[f] ? own : first + (part < 0 ? own : 0));
+    const bool isNew = static_cast<vtkIdType>(f) >= mesh->GetNumberOfPolys();
+    parts->SetValue(static_cast<vtkIdType>(f), !isNew ? own : first + (part < 0 ? own : 0));
+    if (isNew)
+    {
+      vtkIdType corners = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetPolys()->GetCellAtId(faces[f], corners, ids);
+      polys->InsertNextCell(static_cast<int>(corners));
+      for (vtkIdType k = 0; k < corners; ++k)
+      {
+        polys->InsertCellPoint(copyOf[ids[(corners - k) % corners]]); // the first one stays
+      }
+    }
   }
+  vtkNew<vtkPolyData> all;
+  vtkNew<vtkPoints> places;
+  places->SetData(CarriedArray(mesh->GetPoints()->GetData(), points));
+  all->SetPoints(places);
+  all->SetPolys(polys);
+  CopyElements(mesh->GetPointData(), points, all->GetPointData());
+  CopyElements(mesh->GetCellData(), faces, all->GetCellData());
   all->GetCellData()->AddArray(parts);
-  all->GetFieldData()->ShallowCopy(output->GetFieldData());
+  all->SetFieldData(mesh->GetFieldData());
   repeatFields(all->GetFieldData(), part, first);
-  output->ShallowCopy(all);
+  mesh->ShallowCopy(all);
+  return copy;
 }
 
 } // namespace
@@ -336,12 +268,28 @@ void vtkOversketchTransform::RequireValues()
   RequireFinite(this->MirrorOffset, "MirrorOffset");
 }
 
+void vtkOversketchTransform::Compose(const double move[3],
+  const double turn[3],
+  const double scale[3],
+  const double middle[3],
+  vtkTransform* transform)
+{
+  transform->Identity();
+  transform->PreMultiply();
+  transform->Translate(move);
+  transform->Translate(middle);
+  transform->RotateZ(turn[2]);
+  transform->RotateX(turn[0]);
+  transform->RotateY(turn[1]);
+  transform->Scale(scale);
+  transform->Translate(-middle[0], -middle[1], -middle[2]);
+}
+
 int vtkOversketchTransform::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   this->Found.clear();
-  this->Made = nullptr;
   return this->RunSystem(
     [&]
     {
@@ -354,42 +302,45 @@ int vtkOversketchTransform::RequestData(vtkInformation*,
       this->RequireValues();
       RequirePolygonsOnly(mesh);
       const Context context = ContextOf(this);
-      const Chosen chosen = chosenOf(mesh, numbersOf(mesh), this->Part, context);
+      context.checkpoint(0.0);
+      const Chosen chosen = chosenOf(mesh, numbersOf(mesh), this->Part);
       context.checkpoint(0.4);
-      const Pose pose{ Vector3(this->Move), Vector3(this->Turn), Vector3(this->Scale) };
       output->ShallowCopy(mesh);
-      if (!pose.isRest())
+      vtkNew<vtkFieldData> fields; // the mesh's own is shared
+      fields->ShallowCopy(mesh->GetFieldData());
+      output->SetFieldData(fields);
+      vtkBoundingBox box;
+      for (const vtkIdType i : chosen.points)
       {
-        place(output, chosen, pose, context);
+        box.AddPoint(mesh->GetPoint(i));
+      }
+      double middle[3];
+      box.GetCenter(middle);
+      vtkNew<vtkTransform> by;
+      Compose(this->Move, this->Turn, this->Scale, middle, by);
+      const bool rests = Vector3(this->Move).isZero(0.0) && Vector3(this->Turn).isZero(0.0) &&
+                         Vector3(this->Scale) == Vector3::Ones();
+      if (!rests)
+      {
+        transform(output, chosen, by, context);
+        DropHierarchy(output);
       }
       context.checkpoint(0.6);
       if (this->Copy == CopyMirrored)
       {
-        addMirrored(output, chosen, this->Part, this->MirrorAxis, this->MirrorOffset, context);
-      }
-      if (!pose.isRest() || this->Copy == CopyMirrored)
-      {
-        vtkNew<vtkFieldData> fields; // the mesh's own is shared
-        fields->ShallowCopy(output->GetFieldData());
-        output->SetFieldData(fields);
+        const Chosen copy = repeat(output, chosen, this->Part);
+        double across[3] = { 1.0, 1.0, 1.0 }, there[3] = { 0.0, 0.0, 0.0 };
+        across[this->MirrorAxis] = -1.0;
+        there[this->MirrorAxis] = 2.0 * this->MirrorOffset;
+        by->Identity();
+        by->Translate(there);
+        by->Scale(across);
+        transform(output, copy, by, context);
         DropHierarchy(output);
       }
-      const auto moved = static_cast<vtkIdType>(std::count(chosen.points.begin(), chosen.points.end(), 1));
+      const auto moved = static_cast<vtkIdType>(chosen.points.size());
       this->Found = { { "moved", moved }, { "copied", this->Copy == CopyMirrored ? moved : vtkIdType{ 0 } } };
-      this->Moved = chosen.points;
-      this->Moved.resize(static_cast<std::size_t>(output->GetNumberOfPoints()), 1);
-      this->Made = vtkSmartPointer<vtkPolyData>::New();
-      this->Made->ShallowCopy(output);
     });
-}
-
-void vtkOversketchTransform::GetRegion(vtkPolyData* region)
-{
-  region->Initialize();
-  if (this->Made && this->Made->GetPolys()->IsHomogeneous() == 3)
-  {
-    PutTriangles(this->Made, this->Moved, 3, region);
-  }
 }
 
 void vtkOversketchTransform::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,18 +3,18 @@
  * @brief moves, turns and scales a mesh or a part of it, and adds a copy in the mirror
  *
  * Source: ours; none of the papers has it. The mesh, or a part of it, is scaled along x, y and z, turned
- * about x, then y, then z, and moved, all about the middle of the box of what moves. The axes are the world's
- * and stay.
+ * about y, then x, then z, as vtkProp3D turns by its orientation, and moved, all about the middle of the box
+ * of what moves. The axes are the world's and stay.
  *
  * Input 0 (Mesh): polygons, vtkPolyData. Cell array PartId, one int a face, tells the parts
  * (vtkOversketchAssemble); a mesh without it is one part, 0.
  *
  * Output 0: the mesh with other points, in its own type; faces and arrays are passed, active normals turn
  * with the surface. Points that do not belong to what moves are bit-identical, and all are where nothing is
- * done. With a copy, its points and faces come after those of the mesh, with their values of all arrays, its
- * faces turned round, so that they look outward; cell array PartId has the next number for it, of a mesh of
- * several parts so many. Field arrays of a part (Part0.Texture) are repeated for its copy (Part1.Texture).
- * Global ids do not go with a copy. Of a 4-8 mesh the arrays that tell its hierarchy are left out.
+ * done. A copy's points and faces come after those of the mesh, with the values of all their arrays but
+ * global ids, and its faces look outward; cell array PartId has the next number for it, of a mesh of several
+ * parts so many. Field arrays of a part (Part0.Texture) are repeated for its copy (Part1.Texture). Of a 4-8
+ * mesh the arrays that tell its hierarchy are left out.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, for a part that is not there, a point that
  * is of the part and of another one, a point that is not finite or would lie beyond 1e12, a face that names
@@ -22,8 +22,7 @@
  * a parameter that is not finite and a factor that is not above 0. An empty mesh gives an empty output
  * silently. A run that AbortExecute stopped needs Modified() before the next.
  *
- * Deterministic: same result bit for bit for any number of threads. Cost: a copy of points and normals; with
- * a copy, of all arrays.
+ * Deterministic: same result bit for bit for any number of threads.
  *
  * @sa vtkOversketchAssemble vtkOversketchMirror
  */
@@ -33,9 +32,7 @@
 #include "OversketchFiltersTransformModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include "vtkSmartPointer.h" // for Made
-
-#include <vector> // for Moved
+class vtkTransform;
 
 class OVERSKETCHFILTERSTRANSFORM_EXPORT vtkOversketchTransform : public vtkOversketchSystem
 {
@@ -54,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Degrees that it is turned by about x, then y, then z, counter-clockwise where the axis points at the eye
-   * [default 0 0 0].
+   * Degrees that it is turned by about x, y and z, about y first, then x, then z, counter-clockwise where the
+   * axis points at the eye [default 0 0 0].
    */
   vtkSetVector3Macro(Turn, double);
   vtkGetVector3Macro(Turn, double);
@@ -118,9 +115,14 @@ public:
   ///@}
 
   /**
-   * The triangles of what was placed, and of its copy.
+   * Makes the transform that such values are, of a thing with that middle.
    */
-  void GetRegion(vtkPolyData* region) override;
+  static void Compose(const double move[3],
+    const double turn[3],
+    const double scale[3],
+    const double middle[3],
+    vtkTransform* transform);
+
   /**
    * "moved": how many points were placed; "copied": how many the copy has.
    */
@@ -146,10 +148,7 @@ private:
   int MirrorAxis = MirrorAxisX;
   double MirrorOffset = 0.0;
 
-  // Of the last run; its output null after one that failed.
-  FigureList Found;
-  vtkSmartPointer<vtkPolyData> Made;
-  std::vector<char> Moved;
+  FigureList Found; // of the last run
 };
 
 #endif

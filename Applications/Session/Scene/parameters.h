@@ -27,8 +27,9 @@ Parameter ofStep(const std::string& step,
 {
   const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
   using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
-  constexpr bool isText = std::is_same_v<Got, const char*>;
-  using Held = std::conditional_t<isText, std::string, Got>;
+  constexpr bool isText = std::is_same_v<Got, const char*>, isTriple = std::is_same_v<Got, double*>;
+  using Whole = std::conditional_t<isText, std::string, Got>;
+  using Held = std::conditional_t<isTriple, std::vector<double>, Whole>;
   Parameter made;
   made.property = property;
   made.word = word;
@@ -42,13 +43,27 @@ Parameter ofStep(const std::string& step,
     {
       (owner(system)->*setter)(std::get<Held>(value).c_str());
     }
+    else if constexpr (isTriple)
+    {
+      (owner(system)->*setter)(std::get<Held>(value).data());
+    }
     else
     {
       (owner(system)->*setter)(std::get<Held>(value));
     }
   };
   made.get = [owner, getter](vtkOversketchSystem* system) -> Value
-  { return Held((owner(system)->*getter)()); };
+  {
+    const Got got = (owner(system)->*getter)();
+    if constexpr (isTriple)
+    {
+      return Held(got, got + 3);
+    }
+    else
+    {
+      return Held(got);
+    }
+  };
   return made;
 }
 
@@ -74,19 +89,7 @@ Parameter triple(const std::string& property,
   const std::string& title,
   const std::string& help)
 {
-  Parameter made;
-  made.property = property;
-  made.word = word;
-  made.title = title;
-  made.help = help;
-  made.set = [setter](vtkOversketchSystem* system, const Value& value)
-  { (static_cast<T*>(system)->*setter)(std::get<std::vector<double>>(value).data()); };
-  made.get = [getter](vtkOversketchSystem* system) -> Value
-  {
-    const double* values = (static_cast<T*>(system)->*getter)();
-    return std::vector<double>(values, values + 3);
-  };
-  return made;
+  return parameter<T>(property, setter, getter, word, title, help);
 }
 
 // Adds what a form offers of a number.

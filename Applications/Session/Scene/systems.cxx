@@ -501,13 +501,13 @@ SystemRow transform()
   row.title = "Place";
   row.brief = "move, turn and scale a mesh or a part of it, or add its mirror image";
   row.help = "Scales, turns and moves the mesh or one of its parts, about the middle of the box of what "
-             "moves, and adds "
-             "its image in a mirror where one is asked for. Lengths are those of the model.";
+             "moves, and adds its image in a mirror where one is asked for. Lengths are those of the model.";
   row.make = make<System>;
   row.inputs = { { "Mesh", "mesh", "the mesh that is placed", SystemInput::Kind::Mesh, 0 } };
   row.parameters = {
     triple<System>(PROPERTY(System, Move), "move", "Move", "how far along x, y and z"),
-    triple<System>(PROPERTY(System, Turn), "turn", "Turn", "degrees about x, then y, then z"),
+    triple<System>(
+      PROPERTY(System, Turn), "turn", "Turn", "degrees about x, y and z; y first, then x, then z"),
     oneForAll(triple<System>(PROPERTY(System, Scale),
       "scale",
       "Scale",

@@ -8,6 +8,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -17,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <optional>
 
 namespace oversketch_studio
@@ -39,7 +39,7 @@ QString numbersText(const Numbers& numbers)
   QStringList words;
   for (const double number : numbers)
   {
-    words << QString::number(number);
+    words << QString::number(number, 'g', QLocale::FloatingPointShortest);
   }
   return words.join(' ');
 }
@@ -224,20 +224,21 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
     auto* line = new QLineEdit(page);
     connect(line, &QLineEdit::editingFinished, this, &StepPanel::read);
     field.widget = line;
-    // The numbers that it was set to come back as they were, though the text has fewer digits.
-    const auto set = std::make_shared<Numbers>(std::get<Numbers>(parameter.initial));
-    field.read = [set, oneForAll = parameter.oneForAll](QWidget* widget) -> Value
+    // A text that is none gives way to the last numbers.
+    field.read = [&parameter](QWidget* widget) -> Value
     {
       auto* box = static_cast<QLineEdit*>(widget);
-      const auto typed = numbersIn(box->text(), set->size(), oneForAll);
-      const bool isOther = typed && numbersText(*typed) != numbersText(*set);
-      box->setText(numbersText(isOther ? *typed : *set));
-      return isOther ? *typed : *set;
+      const std::size_t count = std::get<Numbers>(parameter.initial).size();
+      const auto typed = numbersIn(box->text(), count, parameter.oneForAll);
+      const Numbers numbers = typed ? *typed : *numbersIn(box->property(exactValue).toString(), count, false);
+      box->setText(numbersText(numbers));
+      return numbers;
     };
-    field.write = [set](QWidget* widget, const Value& value)
+    field.write = [](QWidget* widget, const Value& value)
     {
-      *set = std::get<Numbers>(value);
-      static_cast<QLineEdit*>(widget)->setText(numbersText(*set));
+      const QString text = numbersText(std::get<Numbers>(value));
+      widget->setProperty(exactValue, text);
+      static_cast<QLineEdit*>(widget)->setText(text);
     };
   }
   else if (!parameter.offers.empty())

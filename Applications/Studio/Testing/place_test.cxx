@@ -1,9 +1,8 @@
 // The tool Place: arrows, rings, boxes and the square of its gizmo, the surface that a part is put on, the
 // twin.
-#include "gizmo_drag.h"
 #include "pieces.h"
+#include "place_gizmo.h"
 #include "scene.h"
-#include "seen_surface.h"
 #include "systems.h"
 #include "tool.h"
 
@@ -13,7 +12,6 @@
 #include "vtkStaticCellLocator.h"
 
 using namespace oversketch_studio;
-using oversketch::Pose;
 using oversketch::Vector2;
 using oversketch::Vector3;
 using oversketch::View;
@@ -21,6 +19,43 @@ using oversketch_session::findSystem;
 
 namespace
 {
+
+using Gizmo = std::vector<GizmoShape>;
+
+// A handle's outline, of its last piece; none where it is not seen.
+oversketch::Polyline outlineOf(const Gizmo& gizmo, GizmoGrip::Part part, int axis = 0)
+{
+  oversketch::Polyline outline;
+  for (const GizmoShape& shape : gizmo)
+  {
+    outline = shape.grip == GizmoGrip{ part, axis } ? shape.outline : outline;
+  }
+  return outline;
+}
+
+// The middle of a square or a box.
+Vector2 placeOf(const Gizmo& gizmo, GizmoGrip::Part part, int axis = 0)
+{
+  const oversketch::Polyline corners = outlineOf(gizmo, part, axis);
+  EXPECT_EQ(corners.size(), 4u);
+  return 0.5 * (corners.at(0) + corners.at(2));
+}
+
+Vector2 boxOf(const Gizmo& gizmo, int axis)
+{
+  return placeOf(gizmo, GizmoGrip::Box, axis);
+}
+
+Vector2 middleOf(const Gizmo& gizmo)
+{
+  return placeOf(gizmo, GizmoGrip::Square);
+}
+
+// The direction of an axis in the picture.
+Vector2 runOf(const Gizmo& gizmo, int axis)
+{
+  return (boxOf(gizmo, axis) - middleOf(gizmo)).normalized();
+}
 
 // The window with the tool in the hand, and a hand that counts from the screen's lower left corner.
 struct PlaceScene : Scene
@@ -64,11 +99,9 @@ struct PlaceScene : Scene
     vtkPolyData* mesh = this->document->result().mesh;
     return Vector3((part < 0 ? mesh : oversketch_files::partAlone(mesh, part).Get())->GetCenter());
   }
-  GizmoShape gizmoAt(const Vector3& middle, const Vector3& turn = Vector3::Zero())
+  Gizmo gizmoAt(const Vector3& middle, const Vector3& turn = Vector3::Zero())
   {
-    const auto seen = seeGizmo(this->look(), middle, oversketch::turnedBy(turn), 1.0);
-    EXPECT_TRUE(seen);
-    return *seen;
+    return seeGizmo(this->look(), middle, Pose{ Vector3::Zero(), turn, Vector3::Ones() }.axes(), 1.0);
   }
   Vector2 display(const Vector3& place) { return this->look().toDisplay(place).head<2>(); }
   std::size_t steps() { return this->document->session().nodes.size(); }
@@ -79,11 +112,11 @@ struct PlaceScene : Scene
     return Vector3(std::get<std::vector<double>>(valueOf(this->last(), parameter)).data());
   }
   // The axis that points at the eye, in the view from the front.
-  int facing(const GizmoShape& shape)
+  int facing(const Gizmo& gizmo)
   {
     for (int k = 0; k < 3; ++k)
     {
-      if (!shape.axes[k].run)
+      if (outlineOf(gizmo, GizmoGrip::Arrow, k).empty())
       {
         return k;
       }
@@ -95,7 +128,7 @@ struct PlaceScene : Scene
 
 } // namespace
 
-TEST(GizmoDrag, AnArrowMovesAlongItsAxisAsFarAsTheHandGoes)
+TEST(PlaceGizmo, AnArrowMovesAlongItsAxisAsFarAsTheHandGoes)
 {
   const Vector3 middle(0.2, -0.1, 0.3);
   Pose from;
@@ -104,19 +137,17 @@ TEST(GizmoDrag, AnArrowMovesAlongItsAxisAsFarAsTheHandGoes)
     oversketch_test::perspectiveView({ 3, 2, 6 }, { 0, 1, 0 }, 30.0) };
   for (const View& view : views)
   {
-    const auto shape = seeGizmo(view, middle, oversketch::turnedBy(from.turn), 1.0);
-    ASSERT_TRUE(shape);
+    const Gizmo gizmo = seeGizmo(view, middle, from.axes(), 1.0);
     for (int k = 0; k < 3; ++k)
     {
-      ASSERT_TRUE(shape->axes[k].run);
-      const Vector2 start = shape->middle + 30.0 * *shape->axes[k].run,
-                    now = start + 25.0 * *shape->axes[k].run;
-      const auto grip = gripAt(*shape, start);
+      ASSERT_FALSE(outlineOf(gizmo, GizmoGrip::Arrow, k).empty());
+      const Vector2 run = runOf(gizmo, k), start = ::middleOf(gizmo) + 30.0 * run, now = start + 25.0 * run;
+      const auto grip = gripAt(gizmo, start, 1.0);
       ASSERT_TRUE(grip);
       EXPECT_EQ(grip->part, GizmoGrip::Arrow);
       EXPECT_EQ(grip->axis, k);
       const Pose to = posed(view, middle, from, *grip, start, now, false);
-      const Vector3 axis = oversketch::turnedBy(from.turn).col(k);
+      const Vector3 axis = from.axes().col(k);
       EXPECT_LT((to.move - to.move.dot(axis) * axis).norm(), 1e-12) << "beside the axis";
       EXPECT_EQ(to.turn, from.turn);
       EXPECT_EQ(to.scale, from.scale);
@@ -127,34 +158,31 @@ TEST(GizmoDrag, AnArrowMovesAlongItsAxisAsFarAsTheHandGoes)
   }
 }
 
-TEST(GizmoDrag, ABoxScalesByTheRatioOfDistancesAndNeverTurnsOver)
+TEST(PlaceGizmo, ABoxScalesByTheRatioOfDistancesAndNeverTurnsOver)
 {
   const View view = oversketch_test::orthographicView({ 1, 2, 3 }, { 0, 1, 0 }, 100.0);
-  const auto shape = seeGizmo(view, Vector3::Zero(), Eigen::Matrix3d::Identity(), 1.0);
-  ASSERT_TRUE(shape);
-  const Vector2 run = *shape->axes[1].run, start = shape->middle + GizmoSize().box * run;
-  const auto grip = gripAt(*shape, start);
+  const Gizmo gizmo = seeGizmo(view, Vector3::Zero(), Eigen::Matrix3d::Identity(), 1.0);
+  const Vector2 middle = ::middleOf(gizmo), start = ::boxOf(gizmo, 1);
+  const auto grip = gripAt(gizmo, start, 1.0);
   ASSERT_TRUE(grip);
   EXPECT_EQ(grip->part, GizmoGrip::Box);
-  const Pose one =
-    posed(view, Vector3::Zero(), {}, *grip, start, shape->middle + 2.0 * GizmoSize().box * run, false);
+  const Pose one = posed(view, Vector3::Zero(), {}, *grip, start, 2.0 * start - middle, false);
   EXPECT_LT((one.scale - Vector3(1.0, 2.0, 1.0)).norm(), 1e-9);
-  const Pose all =
-    posed(view, Vector3::Zero(), {}, *grip, start, shape->middle + 2.0 * GizmoSize().box * run, true);
+  const Pose all = posed(view, Vector3::Zero(), {}, *grip, start, 2.0 * start - middle, true);
   EXPECT_LT((all.scale - Vector3(2.0, 2.0, 2.0)).norm(), 1e-9);
-  const Pose over = posed(view, Vector3::Zero(), {}, *grip, start, shape->middle - 50.0 * run, false);
+  const Pose over = posed(view, Vector3::Zero(), {}, *grip, start, 2.0 * middle - start, false);
   EXPECT_GT(over.scale[1], 0.0);
 }
 
-TEST(GizmoDrag, ARingTurnsAboutItsAxisWhicheverWayItLooks)
+TEST(PlaceGizmo, ARingTurnsAboutItsAxisWhicheverWayItLooks)
 {
   for (const Vector3& from : { Vector3(0.1, 0.2, 1.0), Vector3(1.0, 0.3, 0.05) })
   {
     const View view = oversketch_test::orthographicView(from, { 0, 1, 0 }, 100.0);
-    const auto shape = seeGizmo(view, Vector3::Zero(), Eigen::Matrix3d::Identity(), 1.0);
-    ASSERT_TRUE(shape);
     const GizmoGrip grip{ GizmoGrip::Ring, 2 };
-    const std::vector<Vector2>& ring = shape->axes[2].ring;
+    const oversketch::Polyline ring =
+      outlineOf(seeGizmo(view, Vector3::Zero(), Eigen::Matrix3d::Identity(), 1.0), grip.part, grip.axis);
+    ASSERT_FALSE(ring.empty());
     // The side of the ring that is nearer to the eye: its places follow the hand's direction.
     const std::size_t at = from[2] > 0.5 ? 8 : 0;
     const Pose to = posed(view, Vector3::Zero(), {}, grip, ring[at], ring[at + 2], false);
@@ -166,10 +194,6 @@ TEST(GizmoDrag, ARingTurnsAboutItsAxisWhicheverWayItLooks)
 
 TEST(Place, AClickShowsTheGizmoAndAnArrowMovesAlongItsAxis)
 {
-  if (!findSystem("Transform"))
-  {
-    return;
-  }
   PlaceScene scene;
   ASSERT_EQ(scene.view->tool()->system(), "Transform");
   const Vector3 middle = scene.middleOf();
@@ -177,8 +201,8 @@ TEST(Place, AClickShowsTheGizmoAndAnArrowMovesAlongItsAxis)
   EXPECT_FALSE(scene.view->tool()->holds(scene.display(middle)[0], scene.display(middle)[1]));
   scene.click(scene.display(middle));
   ASSERT_TRUE(scene.view->tool()->holds(scene.display(middle)[0], scene.display(middle)[1]));
-  const GizmoShape shape = scene.gizmoAt(middle);
-  const Vector2 run = *shape.axes[0].run, start = shape.middle + 40.0 * run;
+  const Gizmo gizmo = scene.gizmoAt(middle);
+  const Vector2 run = runOf(gizmo, 0), start = ::middleOf(gizmo) + 40.0 * run;
   scene.drag(start, start + 100.0 * run);
   ASSERT_EQ(scene.steps(), 1u);
   EXPECT_EQ(scene.last().system, "Transform");
@@ -203,16 +227,13 @@ TEST(Place, AClickShowsTheGizmoAndAnArrowMovesAlongItsAxis)
 
 TEST(Place, RingsTurnBoxesScaleAndEscapeTakesADragBack)
 {
-  if (!findSystem("Transform"))
-  {
-    return;
-  }
   PlaceScene scene;
   const Vector3 middle = scene.middleOf();
   scene.click(scene.display(middle));
-  const GizmoShape shape = scene.gizmoAt(middle);
-  const int facing = scene.facing(shape);
-  const std::vector<Vector2>& ring = shape.axes[facing].ring;
+  const Gizmo gizmo = scene.gizmoAt(middle);
+  const int facing = scene.facing(gizmo);
+  const oversketch::Polyline ring = outlineOf(gizmo, GizmoGrip::Ring, facing);
+  ASSERT_FALSE(ring.empty());
   scene.drag(ring[8], ring[24]); // a quarter
   ASSERT_EQ(scene.steps(), 1u);
   Vector3 turned = Vector3::Zero();
@@ -220,17 +241,17 @@ TEST(Place, RingsTurnBoxesScaleAndEscapeTakesADragBack)
   EXPECT_LT((scene.value("Turn") - turned).norm(), 2.0);
   EXPECT_EQ(scene.value("Move"), Vector3::Zero());
   // Axes turn with it: the box of the next axis is where that of the one after was.
-  const GizmoShape now = scene.gizmoAt(middle, scene.value("Turn"));
+  const Gizmo now = scene.gizmoAt(middle, scene.value("Turn"));
   const int across = (facing + 1) % 3;
-  const Vector2 run = *now.axes[across].run, box = now.middle + GizmoSize().box * run;
-  scene.drag(box, box + 0.5 * GizmoSize().box * run, Qt::ShiftModifier);
+  const Vector2 box = ::boxOf(now, across), half = 0.5 * (box - ::middleOf(now));
+  scene.drag(box, box + half, Qt::ShiftModifier);
   ASSERT_EQ(scene.steps(), 1u);
   EXPECT_LT((scene.value("Scale") - Vector3::Constant(1.5)).norm(), 0.06);
-  scene.drag(box, box + 0.5 * GizmoSize().box * run);
+  scene.drag(box, box + half);
   EXPECT_NEAR(scene.value("Scale")[across], 2.25, 0.09);
   EXPECT_NEAR(scene.value("Scale")[facing], 1.5, 0.03);
   const std::string kept = scene.document->digest();
-  scene.drag(box, box + 30.0 * run, Qt::NoModifier, false);
+  scene.drag(box, box + half, Qt::NoModifier, false);
   EXPECT_TRUE(scene.view->tool()->isBusy());
   QTest::keyClick(scene.view, Qt::Key_Escape);
   EXPECT_FALSE(scene.view->tool()->isBusy());
@@ -243,10 +264,6 @@ TEST(Place, RingsTurnBoxesScaleAndEscapeTakesADragBack)
 
 TEST(Place, ADoubleClickMakesATwinAndCtrlPutsItOnWhatIsUnderTheCursor)
 {
-  if (!findSystem("Transform"))
-  {
-    return;
-  }
   PlaceScene scene;
   const Vector3 middle = scene.middleOf();
   const std::string before = scene.document->digest();
@@ -262,8 +279,8 @@ TEST(Place, ADoubleClickMakesATwinAndCtrlPutsItOnWhatIsUnderTheCursor)
   ASSERT_EQ(oversketch_files::partsOf(scene.document->result().mesh), (std::vector<int>{ 0, 1 }));
   EXPECT_EQ(replayed(scene.document->session()), scene.document->digest());
   // The twin is the hand's: an arrow puts it aside, as a step of its own.
-  const GizmoShape shape = scene.gizmoAt(scene.middleOf(1));
-  const Vector2 run = *shape.axes[0].run, arrow = shape.middle + 40.0 * run;
+  const Gizmo gizmo = scene.gizmoAt(scene.middleOf(1));
+  const Vector2 run = runOf(gizmo, 0), arrow = ::middleOf(gizmo) + 40.0 * run;
   scene.drag(arrow, arrow + 150.0 * run);
   ASSERT_EQ(scene.steps(), 2u);
   const auto first = oversketch_files::partAlone(scene.document->result().mesh, 0);
@@ -295,10 +312,6 @@ TEST(Place, ADoubleClickMakesATwinAndCtrlPutsItOnWhatIsUnderTheCursor)
 
 TEST(Place, ALockedModelIsNotTakenHoldOf)
 {
-  if (!findSystem("Transform"))
-  {
-    return;
-  }
   PlaceScene scene;
   const Vector2 at = scene.display(scene.middleOf());
   scene.document->setModel(0, true, true);

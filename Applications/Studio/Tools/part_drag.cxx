@@ -1,6 +1,5 @@
 #include "part_drag.h"
 
-#include "gizmo_drag.h"
 #include "parts.h"
 
 #include <algorithm>
@@ -27,14 +26,6 @@ Vector3 middleOf(const PartPlace& place)
   return { 0.5 * (place.box[0] + place.box[2]), 0.5 * (place.box[1] + place.box[3]), place.depth };
 }
 
-// World units a px at a place.
-double pixelAt(const View& view, const Vector3& place)
-{
-  const Vector2 at = view.toDisplay(place).head<2>();
-  const double depth = view.depth(place);
-  return (view.toWorld(at + Vector2(1.0, 0.0), depth) - view.toWorld(at, depth)).norm();
-}
-
 // The direction in which nearer is seen, and whether it is that of the z axis.
 struct Nearer
 {
@@ -44,7 +35,7 @@ struct Nearer
 
 Nearer nearerAt(const View& view, const Vector3& place)
 {
-  const double step = pixelAt(view, place);
+  const double step = pixelSize(view, place);
   const Vector3 ahead = place + step * Vector3::UnitZ();
   const Vector2 seen = view.toDisplay(ahead).head<2>() - view.toDisplay(place).head<2>();
   if (view.inFront(ahead) && seen.norm() > foreshortened)
@@ -56,7 +47,7 @@ Nearer nearerAt(const View& view, const Vector3& place)
 
 std::optional<Vector2> onPlane(const View& view, const Vector2& display, const Vector3& place)
 {
-  const Sight sight = sightAt(view, display, place);
+  const oversketch::Sight sight = sightAt(view, display, place);
   if (std::abs(sight.direction().z()) < grazing)
   {
     return std::nullopt;
@@ -119,7 +110,7 @@ PartPlace dragged(const View& view,
     const Nearer nearer = nearerAt(view, middle);
     to.depth += nearer.isAxis ? alongAxis(view, now, middle, Vector3::UnitZ()) -
                                   alongAxis(view, start, middle, Vector3::UnitZ())
-                              : (now - start).dot(nearer.direction) * pixelAt(view, middle);
+                              : (now - start).dot(nearer.direction) * pixelSize(view, middle);
   }
   else
   {

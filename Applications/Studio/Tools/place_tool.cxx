@@ -2,20 +2,28 @@
 
 #include "document.h"
 #include "pieces.h"
+#include "point_normals.h"
 #include "systems.h"
 #include "viewport.h"
 
 #include "pen_view.h"
 
 #include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchTransform.h"
 
 #include "vtkAppendPolyData.h"
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkStaticCellLocator.h"
 
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -23,10 +31,8 @@ namespace oversketch_studio
 {
 
 using namespace oversketch_session;
-using oversketch::Pose;
 using oversketch::Vector2;
 using oversketch::Vector3;
-using oversketch::View;
 
 namespace
 {
@@ -46,13 +52,21 @@ Pose poseOf(const Step& step)
   return { read("Move"), read("Turn"), read("Scale") };
 }
 
+// Rounded, so that the step's form shows all digits.
 void setPose(const Pose& pose, Step& step)
 {
-  const auto write = [&step](const char* property, const Vector3& value)
-  { step.values[property] = std::vector<double>(value.data(), value.data() + 3); };
-  write("Move", pose.move);
-  write("Turn", pose.turn);
-  write("Scale", pose.scale);
+  const std::pair<const char*, Vector3> values[] = {
+    { "Move", pose.move }, { "Turn", pose.turn }, { "Scale", pose.scale }
+  };
+  for (const auto& [property, value] : values)
+  {
+    std::vector<double> numbers(3);
+    std::transform(value.begin(),
+      value.end(),
+      numbers.begin(),
+      [](double number) { return QString::number(number, 'g', 7).toDouble(); });
+    step.values[property] = numbers;
+  }
 }
 
 Step placing(int part)
@@ -63,7 +77,73 @@ Step placing(int part)
   return step;
 }
 
+vtkIntArray* partNumbers(vtkPolyData* mesh)
+{
+  return vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
+}
+
+// What is placed, without points where that is not there; of a mesh without numbers all is part 0.
+vtkSmartPointer<vtkPolyData> aloneOf(vtkPolyData* mesh, int part)
+{
+  const bool isAll = part < 0 || (part == 0 && !partNumbers(mesh));
+  return isAll ? vtkSmartPointer<vtkPolyData>(mesh) : oversketch_files::partAlone(mesh, part);
+}
+
 } // namespace
+
+struct PlaceTool::Surface
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  vtkNew<vtkStaticCellLocator> locator;
+
+  explicit Surface(vtkPolyData* of)
+    : mesh(of)
+  {
+    this->locator->SetDataSet(of);
+  }
+  struct Hit
+  {
+    Vector3 place;
+    int part;
+  };
+  // The nearest to the eye through a pixel.
+  std::optional<Hit> at(const oversketch::View& view, const Vector2& display) const
+  {
+    if (this->mesh->GetNumberOfPolys() == 0)
+    {
+      return std::nullopt;
+    }
+    this->locator->BuildLocator();
+    const oversketch::Sight sight = oversketch::sightAt(view, display, Vector3(this->mesh->GetCenter()));
+    const double far = this->mesh->GetLength() + (sight.origin() - Vector3(this->mesh->GetCenter())).norm();
+    const Vector3 from = view.perspective() ? view.eye() : Vector3(sight.pointAt(-far)),
+                  to = sight.pointAt(far);
+    double along = 0.0, coordinates[3];
+    Vector3 place;
+    int piece = 0;
+    vtkIdType face = -1;
+    if (!this->locator->IntersectWithLine(
+          from.data(), to.data(), 0.0, along, place.data(), coordinates, piece, face))
+    {
+      return std::nullopt;
+    }
+    vtkIntArray* numbers = partNumbers(this->mesh);
+    return Hit{ place, numbers ? numbers->GetValue(face) : 0 };
+  }
+};
+
+struct PlaceTool::Drag
+{
+  GizmoGrip grip;
+  Vector2 start;
+  PlaceGizmo::Stand from;
+  vtkSmartPointer<vtkPolyData> rest; // the mesh as it is shown
+  Vector3 foot;                      // the middle of it, of the part
+  vtkNew<vtkOversketchTransform> step{};
+  vtkNew<vtkPolyData> shown{};
+  std::unique_ptr<Surface> round{}; // once it is asked for
+  bool hasMoved = false;
+};
 
 PlaceTool::PlaceTool(Viewport* viewport, const Document* document)
   : Tool(viewport)
@@ -73,23 +153,8 @@ PlaceTool::PlaceTool(Viewport* viewport, const Document* document)
 {
   this->setObjectName("place");
   viewport->installEventFilter(this);
-  connect(document,
-    &Document::opened,
-    this,
-    [this]
-    {
-      this->Part.reset();
-      this->follow();
-    });
-  // It may have been locked, or a part of it hidden.
-  connect(document,
-    &Document::changed,
-    this,
-    [this]
-    {
-      this->Clickable = nullptr;
-      this->followAtRest();
-    });
+  connect(document, &Document::opened, this, [this] { this->Part.reset(); });
+  connect(document, &Document::changed, this, [this] { this->follow(); });
 }
 
 PlaceTool::~PlaceTool() = default;
@@ -128,7 +193,7 @@ QVector<QPair<QString, QString>> PlaceTool::keys() const
 
 QString PlaceTool::advice(const Situation&) const
 {
-  if (!this->OpenDocument->isOpen() || !this->OpenDocument->whyNoSteps(placingSystem).isEmpty())
+  if (!this->canPlace())
   {
     return this->OpenDocument->isOpen() ? this->OpenDocument->whyNoSteps(placingSystem)
                                         : tr("File > Open, then click on the model.");
@@ -176,23 +241,18 @@ void PlaceTool::offerNothing()
 {
   this->giveUp();
   this->Offered.reset();
-  this->followAtRest();
+  this->follow();
 }
 
 void PlaceTool::setMesh(vtkPolyData*)
 {
   this->giveUp();
-  this->Clickable = nullptr;
-  this->followAtRest();
+  this->follow();
 }
 
-// While a result is awaited the gizmo stands where the hand has put it.
-void PlaceTool::followAtRest()
+bool PlaceTool::canPlace() const
 {
-  if (!this->OpenDocument->isBusy() && !this->Held)
-  {
-    this->follow();
-  }
+  return this->OpenDocument->isOpen() && this->OpenDocument->whyNoSteps(placingSystem).isEmpty();
 }
 
 bool PlaceTool::changesOffered() const
@@ -204,105 +264,102 @@ bool PlaceTool::changesOffered() const
 
 void PlaceTool::follow()
 {
-  vtkPolyData* shown = this->View->mesh();
-  const bool can = this->Taken && this->Part && shown && this->OpenDocument->isOpen() &&
-                   this->OpenDocument->whyNoSteps(placingSystem).isEmpty();
-  if (!can)
+  vtkPolyData* mesh = this->changesOffered() ? this->Before.Get() : this->View->mesh();
+  if (!this->Taken || !this->Part || !mesh || !this->canPlace())
   {
     this->Gizmo.show(std::nullopt);
-    return;
   }
-  vtkPolyData* mesh = this->changesOffered() ? this->Before.Get() : shown;
-  const Eigen::AlignedBox3d box = boxOfPoints(mesh, pointsOfPart(mesh, *this->Part));
-  if (box.isEmpty()) // the part is there no more
+  else if (!this->Held && !this->OpenDocument->isBusy())
   {
-    this->Part.reset();
-    this->Gizmo.show(std::nullopt);
-    return;
+    const auto own = aloneOf(mesh, *this->Part);
+    const PlaceGizmo::Stand stand{ Vector3(own->GetCenter()),
+      this->changesOffered() ? poseOf(*this->Offered) : Pose() };
+    this->Part = own->GetNumberOfPoints() > 0 ? this->Part : std::nullopt; // it may be there no more
+    this->Gizmo.show(this->Part ? std::optional(stand) : std::nullopt);
   }
-  this->Gizmo.show(
-    PlaceGizmo::Stand{ box.center(), this->changesOffered() ? poseOf(*this->Offered) : Pose() });
-}
-
-Vector2 PlaceTool::placeOf(const QMouseEvent& mouse) const
-{
-  const double ratio = this->View->devicePixelRatioF();
-  return { ratio * mouse.localPos().x(), ratio * (this->View->height() - mouse.localPos().y()) - 1.0 };
 }
 
 bool PlaceTool::eventFilter(QObject*, QEvent* event)
 {
-  if (!this->Taken)
-  {
-    return false;
-  }
   const auto type = event->type();
-  if (type == QEvent::KeyPress)
+  if (this->Taken && type == QEvent::KeyPress)
   {
     const bool wasHeld = this->Held != nullptr; // then all keys are the hand's
     if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape)
     {
       this->Part = wasHeld ? this->Part : std::nullopt;
       this->giveUp();
-      this->followAtRest();
+      this->follow();
       emit this->left();
     }
     return wasHeld;
   }
-  if (type != QEvent::MouseButtonPress && type != QEvent::MouseButtonDblClick && type != QEvent::MouseMove &&
-      type != QEvent::MouseButtonRelease)
+  if (!this->Taken || (type != QEvent::MouseButtonPress && type != QEvent::MouseButtonDblClick &&
+                        type != QEvent::MouseMove && type != QEvent::MouseButtonRelease))
   {
     return false;
   }
   const auto& mouse = *static_cast<QMouseEvent*>(event);
-  const Vector2 at = this->placeOf(mouse);
-  if (type == QEvent::MouseMove)
+  const double ratio = this->View->devicePixelRatioF();
+  const Vector2 at(ratio * mouse.localPos().x(), ratio * (this->View->height() - mouse.localPos().y()) - 1.0);
+  const bool isLeft = mouse.button() == Qt::LeftButton;
+  if (this->Held) // nobody else hears of a drag
   {
-    if (this->Held)
+    if (type == QEvent::MouseMove)
     {
       this->pull(at, mouse.modifiers());
-      return true;
     }
-    if (mouse.buttons() == Qt::NoButton)
+    else if (type == QEvent::MouseButtonRelease && isLeft)
     {
-      this->Gizmo.light(this->Gizmo.at(at));
+      this->letGo();
     }
-    return false;
-  }
-  if (mouse.button() != Qt::LeftButton)
-  {
-    return this->Held != nullptr; // nobody else hears of a drag
-  }
-  if (type != QEvent::MouseButtonRelease)
-  {
-    const bool isSecond = std::exchange(this->Clicked, false) && type == QEvent::MouseButtonDblClick;
-    return (isSecond && this->makeTwin(at)) || this->press(mouse);
-  }
-  if (this->Held)
-  {
-    this->Clicked = !this->Held->hasMoved;
-    this->letGo();
     return true;
   }
-  const auto from = std::exchange(this->Pressed, std::nullopt);
-  this->Clicked = from && (mouse.pos() - *from).manhattanLength() < QApplication::startDragDistance() / 2;
-  if (this->Clicked)
+  if (type == QEvent::MouseMove && mouse.buttons() == Qt::NoButton)
   {
-    this->click(at);
+    this->Gizmo.light(this->Gizmo.at(at));
+  }
+  else if (type == QEvent::MouseButtonRelease && isLeft)
+  {
+    const auto from = std::exchange(this->Pressed, std::nullopt);
+    const bool isClick =
+      from && (mouse.pos() - *from).manhattanLength() < QApplication::startDragDistance() / 2;
+    const auto part = isClick ? this->partAt(at) : this->Part;
+    if (part != this->Part)
+    {
+      this->Part = part;
+      this->follow();
+      this->Gizmo.light(this->Gizmo.at(at));
+      emit this->left();
+    }
+  }
+  else if (isLeft)
+  {
+    return (type == QEvent::MouseButtonDblClick && this->makeTwin(at)) || this->press(mouse, at);
   }
   return false;
 }
 
 // What is shown is awaited first: a drag begins on it.
-bool PlaceTool::press(const QMouseEvent& mouse)
+bool PlaceTool::press(const QMouseEvent& mouse, const Vector2& at)
 {
-  const auto grip = this->Gizmo.at(this->placeOf(mouse));
-  if (grip && this->View->mesh() && !(mouse.modifiers() & Qt::AltModifier) && !this->OpenDocument->isBusy())
+  const auto grip = this->Gizmo.at(at);
+  vtkPolyData* mesh = this->View->mesh();
+  if (grip && mesh && !(mouse.modifiers() & Qt::AltModifier) && !this->OpenDocument->isBusy())
   {
-    this->Held = std::make_unique<Drag>(Drag{
-      *grip, this->placeOf(mouse), *this->Gizmo.stand(), PartPreview(this->View->mesh(), *this->Part) });
+    const auto own = aloneOf(mesh, *this->Part);
+    const int up = this->View->camera()->GetUpAxis();
+    Vector3 foot(own->GetCenter());
+    foot[up] = own->GetBounds()[2 * up];
+    this->Held.reset(new Drag{ *grip, at, *this->Gizmo.stand(), mesh, foot });
+    vtkOversketchTransform* step = this->Held->step;
+    step->SetInputData(this->changesOffered()
+                         ? oversketch_files::withPointNormals(shallowCopyOf(this->Before.Get()))
+                         : shallowCopyOf(mesh));
+    step->SetPart(*this->Part);
+    vtkNew<vtkCallbackCommand> nothing; // an error is told once, of the step that is made
+    step->AddObserver(vtkCommand::ErrorEvent, nothing);
     this->Gizmo.light(grip);
-    this->View->showRegion(nullptr); // it lies where the part was
     return true;
   }
   const bool mayClick = mouse.type() == QEvent::MouseButtonPress && mouse.modifiers() == Qt::NoModifier;
@@ -312,30 +369,33 @@ bool PlaceTool::press(const QMouseEvent& mouse)
 
 void PlaceTool::pull(const Vector2& at, Qt::KeyboardModifiers keys)
 {
+  Drag& held = *this->Held;
   const auto view = oversketch::PenView::of(this->View->renderer()).sight();
   const double least = 0.5 * QApplication::startDragDistance() * this->View->devicePixelRatioF();
-  if (!view || (!this->Held->hasMoved && (at - this->Held->start).norm() < least)) // a click trembles
+  if (!view || (!held.hasMoved && (at - held.start).norm() < least)) // a click trembles
   {
     return;
   }
-  const auto& [middle, from] = this->Held->from;
-  Pose pose =
-    posed(*view, middle, from, this->Held->grip, this->Held->start, at, (keys & Qt::ShiftModifier) != 0);
-  if (this->Held->grip.part == GizmoGrip::Square && (keys & Qt::ControlModifier))
+  const auto& [middle, from] = held.from;
+  Pose pose = posed(*view, middle, from, held.grip, held.start, at, (keys & Qt::ShiftModifier) != 0);
+  if (held.grip.part == GizmoGrip::Square && (keys & Qt::ControlModifier))
   {
-    if (const auto surface = this->surfaceAt(*view, at))
+    held.round = held.round ? std::move(held.round) : this->surfaceRound();
+    if (const auto hit = held.round->at(*view, at))
     {
-      const Eigen::AlignedBox3d box = this->Held->preview.box();
-      const int up = this->View->camera()->GetUpAxis();
-      Vector3 foot = box.center();
-      foot[up] = box.min()[up];
-      pose.move = from.move + *surface - foot;
+      pose.move = from.move + hit->place - held.foot;
     }
   }
-  // From where it is shown, which is the pose that it was taken in.
-  this->Held->hasMoved = true;
-  this->Held->preview.moveTo(pose.about(middle) * from.about(middle).inverse());
-  this->View->showPreview(this->Held->preview.mesh());
+  held.hasMoved = true;
+  held.step->SetMove(pose.move.data());
+  held.step->SetTurn(pose.turn.data());
+  held.step->SetScale(pose.scale.data());
+  held.step->Update();
+  if (held.step->GetOutput()->GetNumberOfPoints() == held.rest->GetNumberOfPoints()) // no later step adds any
+  {
+    held.shown->ShallowCopy(held.step->GetOutput());
+    this->View->showPreview(held.shown);
+  }
   this->Gizmo.show(PlaceGizmo::Stand{ middle, pose });
 }
 
@@ -363,74 +423,49 @@ void PlaceTool::giveUp()
 {
   if (const auto held = std::exchange(this->Held, nullptr))
   {
-    if (held->hasMoved && this->View->mesh() == held->preview.mesh())
+    if (this->View->mesh() == held->shown)
     {
-      this->View->showPreview(held->preview.rest());
+      this->View->showPreview(held->rest);
     }
     this->Gizmo.show(held->from);
   }
 }
 
-std::optional<Vector3> PlaceTool::surfaceAt(const oversketch::View& view, const Vector2& at)
+// Other parts and other models. The picker of the view would see the part in the hand.
+std::unique_ptr<PlaceTool::Surface> PlaceTool::surfaceRound() const
 {
-  if (!this->Held->round)
+  vtkNew<vtkAppendPolyData> all;
+  const Session& session = this->OpenDocument->session();
+  std::set<int> without = hiddenOf(session, this->OpenDocument->result().parts);
+  without.insert(*this->Part);
+  vtkNew<vtkPolyData> none;
+  all->AddInputData(
+    *this->Part < 0 ? none.Get() : oversketch_files::withoutParts(this->Held->rest, without).Get());
+  for (const auto& other : session.others)
   {
-    vtkNew<vtkAppendPolyData> all;
-    vtkPolyData* own = this->Held->preview.rest();
-    const Session& session = this->OpenDocument->session();
-    if (*this->Part >= 0 && !oversketch_files::partsOf(own).empty())
+    if (other->own.shown && other->made.display)
     {
-      std::set<int> without = hiddenOf(session, this->OpenDocument->result().parts);
-      without.insert(*this->Part);
-      all->AddInputData(oversketch_files::withoutParts(own, without));
+      all->AddInputData(other->made.display.own());
     }
-    for (const auto& other : session.others)
-    {
-      if (other->own.shown && other->made.display)
-      {
-        all->AddInputData(other->made.display.own());
-      }
-    }
-    if (all->GetNumberOfInputConnections(0) > 0)
-    {
-      all->Update();
-    }
-    this->Held->round = std::make_unique<SeenSurface>(all->GetOutput());
   }
-  const auto hit = this->Held->round->at(view, at);
-  return hit ? std::optional<Vector3>(hit->place) : std::nullopt;
+  all->Update();
+  return std::make_unique<Surface>(all->GetOutput());
 }
 
 std::optional<int> PlaceTool::partAt(const Vector2& at)
 {
   vtkPolyData* mesh = this->View->mesh();
   const auto view = oversketch::PenView::of(this->View->renderer()).sight();
-  if (!mesh || !view || !this->OpenDocument->isOpen() ||
-      !this->OpenDocument->whyNoSteps(placingSystem).isEmpty() ||
+  if (!mesh || !view || !this->canPlace() ||
       this->View->display().others().at(static_cast<int>(at[0]), static_cast<int>(at[1])))
   {
     return std::nullopt;
   }
-  if (!this->Clickable)
-  {
-    const std::set<int> hidden = hiddenOf(this->OpenDocument->session(), this->OpenDocument->result().parts);
-    this->Clickable = std::make_unique<SeenSurface>(oversketch_files::withoutParts(mesh, hidden));
-  }
-  const auto hit = this->Clickable->at(*view, at);
+  const Surface seen(oversketch_files::withoutParts(
+    mesh, hiddenOf(this->OpenDocument->session(), this->OpenDocument->result().parts)));
+  const auto hit = seen.at(*view, at);
   const bool isOne = oversketch_files::partsOf(mesh).size() < 2;
-  return hit ? std::optional<int>(isOne ? -1 : this->Clickable->partOf(hit->face)) : std::nullopt;
-}
-
-void PlaceTool::click(const Vector2& at)
-{
-  const auto part = this->partAt(at);
-  if (part != this->Part)
-  {
-    this->Part = part;
-    this->follow();
-    this->Gizmo.light(this->Gizmo.at(at));
-    emit this->left();
-  }
+  return hit ? std::optional<int>(isOne ? -1 : hit->part) : std::nullopt;
 }
 
 // It is the hand's next.

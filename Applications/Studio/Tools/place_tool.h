@@ -2,9 +2,7 @@
 #ifndef oversketch_applications_studio_tools_place_tool_h
 #define oversketch_applications_studio_tools_place_tool_h
 
-#include "part_preview.h"
 #include "place_gizmo.h"
-#include "seen_surface.h"
 #include "tool.h"
 
 #include <QPoint>
@@ -56,35 +54,26 @@ public:
   void showLines(bool show) override { this->Gizmo.setVisible(show); }
 
 protected:
-  // Of the view: the hand is heard before the camera is, and with the keys that are held.
+  // Hears the hand before the view does, with the keys that are held.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-  // A handle in the hand.
-  struct Drag
-  {
-    GizmoGrip grip;
-    oversketch::Vector2 start;
-    PlaceGizmo::Stand from;
-    PartPreview preview;
-    std::unique_ptr<SeenSurface> round{}; // what the part can be put on, once it is asked for
-    bool hasMoved = false;
-  };
+  struct Surface; // that a line of sight meets
+  struct Drag;    // of a handle
 
-  bool press(const QMouseEvent& mouse);
+  bool press(const QMouseEvent& mouse, const oversketch::Vector2& at);
   void pull(const oversketch::Vector2& at, Qt::KeyboardModifiers keys);
   void letGo();
   void giveUp();
-  void click(const oversketch::Vector2& at);
   bool makeTwin(const oversketch::Vector2& at);
+  bool canPlace() const;
   // The part that is seen there, -1 where the model is of one; none where no model is that takes steps.
   std::optional<int> partAt(const oversketch::Vector2& at);
-  std::optional<oversketch::Vector3> surfaceAt(const oversketch::View& view, const oversketch::Vector2& at);
+  std::unique_ptr<Surface> surfaceRound() const; // what the part in the hand can be put on
   // Whether a drag changes the step that is offered, and does not make another.
   bool changesOffered() const;
-  void follow(); // where the gizmo stands
-  void followAtRest();
-  oversketch::Vector2 placeOf(const QMouseEvent& mouse) const;
+  // Puts the gizmo where it stands; while a result is awaited it stands where the hand has put it.
+  void follow();
 
   Viewport* View;
   const Document* OpenDocument;
@@ -92,11 +81,9 @@ private:
   bool Taken = false;      // the tool is in the hand
   std::optional<int> Part; // that the gizmo is of
   std::optional<oversketch_session::Step> Offered;
-  oversketch_session::SharedData Before;  // the mesh that comes to it
-  std::unique_ptr<SeenSurface> Clickable; // what is seen of the model, once it is asked for
+  oversketch_session::SharedData Before; // the mesh that comes to it
   std::unique_ptr<Drag> Held;
   std::optional<QPoint> Pressed; // beside the gizmo, where a click may be
-  bool Clicked = false;          // the last press was let go of where it was
 };
 
 } // namespace oversketch_studio

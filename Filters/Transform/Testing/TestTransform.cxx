@@ -151,19 +151,20 @@ TEST_F(Placed, APartIsScaledTurnedAndMovedAboutItsMiddle)
   EXPECT_EQ(output->GetPointData()->GetTCoords(), this->mesh->GetPointData()->GetTCoords());
   EXPECT_TRUE(identical(kept, this->mesh)) << "the input was touched";
   EXPECT_EQ(this->filter->GetFigure("moved"), 8.0);
-  vtkNew<vtkPolyData> region;
-  this->filter->GetRegion(region);
-  EXPECT_EQ(region->GetNumberOfPolys(), 12);
 }
 
-TEST_F(Placed, TurnsAreAboutXThenYThenZ)
+TEST_F(Placed, TurnsAreAboutYThenXThenZ)
 {
   this->filter->SetPart(1); // its middle is (10.5, 0.5, 0.5)
   const Vector3 middle(10.5, 0.5, 0.5);
   this->filter->SetTurn(90.0, 90.0, 0.0);
   this->run();
-  // (1, 1, 1) / 2 about x: (1, -1, 1) / 2; about y: (1, -1, -1) / 2.
-  this->expectAt(15, middle + Vector3(0.5, -0.5, -0.5));
+  // (1, 1, 1) / 2 about y: (1, 1, -1) / 2; about x: (1, 1, 1) / 2.
+  this->expectAt(15, middle + Vector3(0.5, 0.5, 0.5));
+  this->filter->SetTurn(90.0, 0.0, 90.0);
+  this->run();
+  // About x: (1, -1, 1) / 2; about z: (1, 1, 1) / 2.
+  this->expectAt(15, middle + Vector3(0.5, 0.5, 0.5));
   this->filter->SetTurn(0.0, 90.0, 90.0);
   this->run();
   // About y: (1, 1, -1) / 2; about z: (-1, 1, -1) / 2.
@@ -277,7 +278,7 @@ TEST_F(Placed, NormalsOfTheCopyAreMirrored)
   for (int i = 0; i < ball.vertexCount(); ++i)
   {
     const Vector3 normal(output->GetPointData()->GetNormals()->GetTuple(ball.vertexCount() + i));
-    EXPECT_EQ(normal, Vector3(-normals[i][0], normals[i][1], normals[i][2]));
+    EXPECT_LT((normal - Vector3(-normals[i][0], normals[i][1], normals[i][2])).norm(), 1e-14);
   }
 }
 
