@@ -22,6 +22,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <numeric>
 #include <regex>
 #include <string>
@@ -171,8 +172,8 @@ void transform(vtkPolyData* mesh, const Chosen& chosen, vtkTransform* transform,
   }
 }
 
-// Field arrays of parts, such as Part0.Texture, once more under the numbers of their copies.
-void repeatFields(vtkFieldData* fields, int part, int first)
+// Field arrays of parts, such as Part0.Texture, once more for their copies, whose numbers are so much higher.
+void repeatFields(vtkFieldData* fields, int part, int by)
 {
   static const std::regex ofPart("Part(\\d{1,6})\\.(.*)");
   for (int i = fields->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -182,10 +183,9 @@ void repeatFields(vtkFieldData* fields, int part, int first)
     std::smatch match;
     if (std::regex_match(name, match, ofPart) && (part < 0 || std::stoi(match[1]) == part))
     {
-      const int number = first + (part < 0 ? std::stoi(match[1]) : 0);
       const auto copy = vtk::TakeSmartPointer(array->NewInstance());
       copy->DeepCopy(array);
-      copy->SetName(("Part" + std::to_string(number) + "." + match[2].str()).c_str());
+      copy->SetName(("Part" + std::to_string(std::stoi(match[1]) + by) + "." + match[2].str()).c_str());
       fields->AddArray(copy);
     }
   }
@@ -214,13 +214,13 @@ Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
   vtkNew<vtkCellArray> polys;
   polys->DeepCopy(mesh->GetPolys());
   vtkIntArray* numbers = numbersOf(mesh);
-  const int first = highestOf(numbers) + 1;
+  const int by = highestOf(numbers) + 1 - std::max(part, 0);
   const auto parts = NewArray<vtkIntArray>("PartId", 1, faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     const int own = numbers ? numbers->GetValue(faces[f]) : 0;
     const bool isNew = static_cast<vtkIdType>(f) >= mesh->GetNumberOfPolys();
-    parts->SetValue(static_cast<vtkIdType>(f), !isNew ? own : first + (part < 0 ? own : 0));
+    parts->SetValue(static_cast<vtkIdType>(f), own + (isNew ? by : 0));
     if (isNew)
     {
       vtkIdType corners = 0;
@@ -241,8 +241,8 @@ Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
   CopyElements(mesh->GetPointData(), points, all->GetPointData());
   CopyElements(mesh->GetCellData(), faces, all->GetCellData());
   all->GetCellData()->AddArray(parts);
-  all->SetFieldData(mesh->GetFieldData());
-  repeatFields(all->GetFieldData(), part, first);
+  all->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  repeatFields(all->GetFieldData(), part, by);
   mesh->ShallowCopy(all);
   return copy;
 }

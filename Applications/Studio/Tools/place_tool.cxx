@@ -438,9 +438,10 @@ std::unique_ptr<PlaceTool::Surface> PlaceTool::surfaceRound() const
   const Session& session = this->OpenDocument->session();
   std::set<int> without = hiddenOf(session, this->OpenDocument->result().parts);
   without.insert(*this->Part);
-  vtkNew<vtkPolyData> none;
-  all->AddInputData(
-    *this->Part < 0 ? none.Get() : oversketch_files::withoutParts(this->Held->rest, without).Get());
+  if (*this->Part >= 0 && partNumbers(this->Held->rest))
+  {
+    all->AddInputData(oversketch_files::withoutParts(this->Held->rest, without));
+  }
   for (const auto& other : session.others)
   {
     if (other->own.shown && other->made.display)
@@ -448,7 +449,10 @@ std::unique_ptr<PlaceTool::Surface> PlaceTool::surfaceRound() const
       all->AddInputData(other->made.display.own());
     }
   }
-  all->Update();
+  if (all->GetNumberOfInputConnections(0) > 0)
+  {
+    all->Update();
+  }
   return std::make_unique<Surface>(all->GetOutput());
 }
 
