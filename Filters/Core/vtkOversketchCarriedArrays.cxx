@@ -1,9 +1,12 @@
 #include "vtkOversketchCarriedArrays.h"
 
+#include "Mesh/context.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -77,6 +80,31 @@ bool IsMixable(vtkAbstractArray* array)
 bool IsNamed(vtkAbstractArray* array, const char* name)
 {
   return array->GetName() && std::string(array->GetName()) == name;
+}
+
+vtkIntArray* PartNumbers(vtkPolyData* mesh)
+{
+  constexpr int mostParts = 1000000;
+  vtkAbstractArray* array = mesh->GetCellData()->GetAbstractArray("PartId");
+  auto* numbers = vtkIntArray::SafeDownCast(array);
+  if (array && (!numbers || numbers->GetNumberOfComponents() != 1 ||
+                 numbers->GetNumberOfTuples() != mesh->GetNumberOfPolys()))
+  {
+    throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
+  }
+  const double* range = numbers ? numbers->GetRange(0) : nullptr;
+  if (range && (range[0] < 0.0 || range[1] > mostParts))
+  {
+    throw Error(Failure::BadMesh,
+      "Cell array PartId holds %1; parts are counted from 0.",
+      static_cast<int>(range[0] < 0.0 ? range[0] : range[1]));
+  }
+  return numbers;
+}
+
+int HighestPart(vtkIntArray* numbers)
+{
+  return numbers && numbers->GetNumberOfTuples() > 0 ? static_cast<int>(numbers->GetRange(0)[1]) : 0;
 }
 
 void TupleMixer::Put(vtkAbstractArray* to, vtkIdType tuple, const Mix& mix, vtkAbstractArray* from)

@@ -35,33 +35,6 @@ vtkStandardNewMacro(vtkOversketchTransform);
 namespace
 {
 
-constexpr int mostParts = 1000000;
-
-// The number of each face's part; null where the mesh is one.
-vtkIntArray* numbersOf(vtkPolyData* mesh)
-{
-  vtkAbstractArray* array = mesh->GetCellData()->GetAbstractArray("PartId");
-  auto* numbers = vtkIntArray::SafeDownCast(array);
-  if (array && (!numbers || numbers->GetNumberOfComponents() != 1 ||
-                 numbers->GetNumberOfTuples() != mesh->GetNumberOfPolys()))
-  {
-    throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
-  }
-  const double* range = numbers ? numbers->GetRange(0) : nullptr;
-  if (range && (range[0] < 0.0 || range[1] > mostParts))
-  {
-    throw Error(Failure::BadMesh,
-      "Cell array PartId holds %1; parts are counted from 0.",
-      static_cast<int>(range[0] < 0.0 ? range[0] : range[1]));
-  }
-  return numbers;
-}
-
-int highestOf(vtkIntArray* numbers)
-{
-  return numbers && numbers->GetNumberOfTuples() > 0 ? static_cast<int>(numbers->GetRange(0)[1]) : 0;
-}
-
 // What is placed, or its copy, ascending.
 struct Chosen
 {
@@ -97,7 +70,7 @@ Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part)
     throw Error(Failure::BadMesh,
       "The mesh has no part %1; the highest number is %2, and {Part -1} is all of it.",
       part,
-      highestOf(numbers));
+      HighestPart(numbers));
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -213,8 +186,8 @@ Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
   }
   vtkNew<vtkCellArray> polys;
   polys->DeepCopy(mesh->GetPolys());
-  vtkIntArray* numbers = numbersOf(mesh);
-  const int by = highestOf(numbers) + 1 - std::max(part, 0);
+  vtkIntArray* numbers = PartNumbers(mesh);
+  const int by = HighestPart(numbers) + 1 - std::max(part, 0);
   const auto parts = NewArray<vtkIntArray>("PartId", 1, faces.size());
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
@@ -303,7 +276,7 @@ int vtkOversketchTransform::RequestData(vtkInformation*,
       RequirePolygonsOnly(mesh);
       const Context context = ContextOf(this);
       context.checkpoint(0.0);
-      const Chosen chosen = chosenOf(mesh, numbersOf(mesh), this->Part);
+      const Chosen chosen = chosenOf(mesh, PartNumbers(mesh), this->Part);
       context.checkpoint(0.4);
       output->ShallowCopy(mesh);
       vtkNew<vtkFieldData> fields; // the mesh's own is shared
