@@ -92,19 +92,25 @@ vtkIntArray* PartNumbers(vtkPolyData* mesh)
   {
     throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
   }
-  const double* range = numbers ? numbers->GetRange(0) : nullptr;
-  if (range && (range[0] < 0.0 || range[1] > mostParts))
+  for (vtkIdType f = 0; numbers && f < numbers->GetNumberOfTuples(); ++f)
   {
-    throw Error(Failure::BadMesh,
-      "Cell array PartId holds %1; parts are counted from 0.",
-      static_cast<int>(range[0] < 0.0 ? range[0] : range[1]));
+    if (const int number = numbers->GetValue(f); number < 0 || number > mostParts)
+    {
+      throw Error(Failure::BadMesh, "Cell array PartId holds %1; parts are counted from 0.", number);
+    }
   }
   return numbers;
 }
 
+// Without the array's GetRange, which writes to it: threads share meshes.
 int HighestPart(vtkIntArray* numbers)
 {
-  return numbers && numbers->GetNumberOfTuples() > 0 ? static_cast<int>(numbers->GetRange(0)[1]) : 0;
+  int highest = 0;
+  for (vtkIdType f = 0; numbers && f < numbers->GetNumberOfTuples(); ++f)
+  {
+    highest = std::max(highest, numbers->GetValue(f));
+  }
+  return highest;
 }
 
 void TupleMixer::Put(vtkAbstractArray* to, vtkIdType tuple, const Mix& mix, vtkAbstractArray* from)
