@@ -80,8 +80,17 @@ Value valueOf(const Parameter& parameter, const std::string& option, const std::
     return text;
   }
   const std::vector<double> numbers = numbersOf(option, text);
-  if (std::holds_alternative<std::vector<double>>(parameter.initial))
+  if (const auto* usual = std::get_if<std::vector<double>>(&parameter.initial))
   {
+    if (parameter.oneForAll && numbers.size() == 1)
+    {
+      return std::vector<double>(usual->size(), numbers[0]);
+    }
+    if (numbers.size() != usual->size())
+    {
+      throw BadUse(
+        option + " takes " + std::to_string(usual->size()) + " numbers, such as 0,1.5,0, not '" + text + "'");
+    }
     return numbers;
   }
   if (numbers.size() != 1)

@@ -1,9 +1,12 @@
 #include "vtkOversketchCarriedArrays.h"
 
+#include "Mesh/context.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -77,6 +80,37 @@ bool IsMixable(vtkAbstractArray* array)
 bool IsNamed(vtkAbstractArray* array, const char* name)
 {
   return array->GetName() && std::string(array->GetName()) == name;
+}
+
+vtkIntArray* PartNumbers(vtkPolyData* mesh)
+{
+  constexpr int mostParts = 1000000;
+  vtkAbstractArray* array = mesh->GetCellData()->GetAbstractArray("PartId");
+  auto* numbers = vtkIntArray::SafeDownCast(array);
+  if (array && (!numbers || numbers->GetNumberOfComponents() != 1 ||
+                 numbers->GetNumberOfTuples() != mesh->GetNumberOfPolys()))
+  {
+    throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
+  }
+  for (vtkIdType f = 0; numbers && f < numbers->GetNumberOfTuples(); ++f)
+  {
+    if (const int number = numbers->GetValue(f); number < 0 || number > mostParts)
+    {
+      throw Error(Failure::BadMesh, "Cell array PartId holds %1; parts are counted from 0.", number);
+    }
+  }
+  return numbers;
+}
+
+// Without the array's GetRange, which writes to it: threads share meshes.
+int HighestPart(vtkIntArray* numbers)
+{
+  int highest = 0;
+  for (vtkIdType f = 0; numbers && f < numbers->GetNumberOfTuples(); ++f)
+  {
+    highest = std::max(highest, numbers->GetValue(f));
+  }
+  return highest;
 }
 
 void TupleMixer::Put(vtkAbstractArray* to, vtkIdType tuple, const Mix& mix, vtkAbstractArray* from)

@@ -23,6 +23,7 @@
 #include <vector>
 
 class vtkCellArray;
+class vtkIntArray;
 class vtkPolyData;
 
 namespace oversketch
@@ -39,6 +40,15 @@ namespace oversketch
 OVERSKETCHFILTERSCORE_EXPORT bool IsMixable(vtkAbstractArray* array);
 
 OVERSKETCHFILTERSCORE_EXPORT bool IsNamed(vtkAbstractArray* array, const char* name);
+
+///@{
+/**
+ * The number of each face's part, cell array PartId; null where the mesh is one part, 0. Throws
+ * Error(BadMesh) where it is not one int a face, from 0 on. The highest of these numbers.
+ */
+OVERSKETCHFILTERSCORE_EXPORT vtkIntArray* PartNumbers(vtkPolyData* mesh);
+OVERSKETCHFILTERSCORE_EXPORT int HighestPart(vtkIntArray* numbers);
+///@}
 
 /**
  * An array without values of the same kind, name and components, of some tuples.

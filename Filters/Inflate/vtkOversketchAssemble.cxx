@@ -1,13 +1,13 @@
 #include "vtkOversketchAssemble.h"
 
 #include "Inflate/placement.h"
+#include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
@@ -21,7 +21,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <regex>
 #include <string>
 
@@ -31,8 +30,6 @@ vtkStandardNewMacro(vtkOversketchAssemble);
 
 namespace
 {
-
-constexpr int mostParts = 1000000;
 
 Placement placementOf(vtkPolyData* part)
 {
@@ -50,32 +47,6 @@ Placement placementOf(vtkPolyData* part)
     }
   }
   return Placement(matrix);
-}
-
-// The numbers that a part takes: one, or those of a part that was assembled itself.
-int countOf(vtkPolyData* part)
-{
-  vtkAbstractArray* array = part->GetCellData()->GetAbstractArray("PartId");
-  if (!array)
-  {
-    return 1;
-  }
-  auto* ids = vtkIntArray::SafeDownCast(array);
-  int most = 0;
-  if (!ids || ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() != part->GetNumberOfPolys())
-  {
-    throw Error(Failure::BadMesh, "Cell array PartId must hold one int a face.");
-  }
-  for (const int id : vtk::DataArrayValueRange<1>(ids))
-  {
-    if (id < 0 || id > mostParts)
-    {
-      throw Error(
-        Failure::BadMesh, "Cell array PartId holds " + std::to_string(id) + "; parts are counted from 0.");
-    }
-    most = std::max(most, id);
-  }
-  return most + 1;
 }
 
 // As vtkAppendPolyData joins them: of one name and type.
@@ -219,7 +190,7 @@ int vtkOversketchAssemble::RequestData(vtkInformation*,
         }
         try
         {
-          const int parts = countOf(part);
+          const int parts = HighestPart(PartNumbers(part)) + 1; // it may have been assembled itself
           all->AddInputData(placed(part, number, withCoordinates));
           addFields(part, number, fields);
           number += parts;

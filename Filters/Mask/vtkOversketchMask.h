@@ -5,7 +5,7 @@
  * Source: ours; none of the papers has it. Points that a lasso encloses in the picture, and that nothing
  * hides there, are masked or freed; then the mask grows or shrinks, then it is inverted. Every system keeps
  * masked points: vtkOversketchOneStroke, vtkOversketchEdit, vtkOversketchAugment, vtkOversketchRelax,
- * vtkOversketchPose.
+ * vtkOversketchPose, vtkOversketchTransform.
  *
  * Input 0 (Mesh): triangle mesh, vtkPolyData; borders, non-manifold edges and any orientation are tolerated.
  * Point array Mask, where it has one, is the mask so far. Points that share a position are one: they get one

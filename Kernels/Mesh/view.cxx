@@ -86,4 +86,38 @@ Vector3 View::toWorld(const Vector2& display, double z) const
   return (this->ViewInverse * Eigen::Vector4d(c[0], c[1], z, 1.0)).head<3>();
 }
 
+Sight sightAt(const View& view, const Vector2& display, const Vector3& near)
+{
+  const Vector3 at = view.toWorld(display, view.depth(near));
+  return { at, -view.towardsViewer(at).normalized() };
+}
+
+double alongAxis(const View& view, const Vector2& display, const Vector3& place, const Vector3& axis)
+{
+  const Sight sight = sightAt(view, display, place);
+  const double slope = axis.dot(sight.direction()), apart = 1.0 - slope * slope;
+  const Vector3 between = sight.origin() - place;
+  return apart > 1e-9 ? (between.dot(axis) - slope * between.dot(sight.direction())) / apart : 0.0;
+}
+
+double degreesAbout(const View& view,
+  const Vector2& from,
+  const Vector2& to,
+  const Vector3& place,
+  const Vector3& axis)
+{
+  constexpr double leastFacing = 0.5; // cosine of the angle to the viewer
+  const Vector3 toViewer = view.towardsViewer(place).normalized();
+  if (std::abs(toViewer.dot(axis)) > leastFacing)
+  {
+    const Eigen::Hyperplane<double, 3> plane(axis, place);
+    const Vector3 a = sightAt(view, from, place).intersectionPoint(plane) - place,
+                  b = sightAt(view, to, place).intersectionPoint(plane) - place;
+    return std::atan2(a.cross(b).dot(axis), a.dot(b)) * 180.0 / M_PI;
+  }
+  const Vector3 rim = pixelSize(view, place) * axis.cross(toViewer).normalized();
+  const Vector2 sideways = (view.toDisplay(place + rim) - view.toDisplay(place)).head<2>();
+  return (to - from).dot(sideways.normalized());
+}
+
 } // namespace oversketch

@@ -64,5 +64,21 @@ inline double pixelSize(const View& view, const Vector3& world)
   return (view.toWorld({ display[0] + 1.0, display[1] }, display[2]) - world).norm();
 }
 
+// The line of sight through a pixel, away from the viewer, from a place on it that is about as far off as
+// another one.
+using Sight = Eigen::ParametrizedLine<double, 3>;
+Sight sightAt(const View& view, const Vector2& display, const Vector3& near);
+
+// For a hand that drags along a unit axis through a place, or round it. How far from the place the axis comes
+// nearest to the line of sight through a pixel; 0 where it looks along the axis.
+double alongAxis(const View& view, const Vector2& display, const Vector3& place, const Vector3& axis);
+// Degrees from one pixel to another in the axis' normal plane; about an axis that lies across the view, from
+// whose rim that plane is seen edge on, a degree for a pixel sideways, as the near side of a wheel turns.
+double degreesAbout(const View& view,
+  const Vector2& from,
+  const Vector2& to,
+  const Vector3& place,
+  const Vector3& axis);
+
 } // namespace oversketch
 #endif

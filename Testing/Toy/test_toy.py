@@ -94,7 +94,7 @@ def build(sources):
     # Nothing is compiled again but the toy's own, what names systems, the window's files that its tool is compiled together with, the header of
     # kernels' tests where those of the build that is tested were not compiled, and in a folder where no toy was built before, sources that
     # VTK's messages name by their whole path.
-    allowed = (r"[Pp]ush|/(systems|tools|figures|picture)\.cxx|oversketch_studio\.dir/Unity|mocs_compilation|^(Filters|Widgets)/.*/Unity/"
+    allowed = (r"[Pp]ush|/(own_systems|systems|tools|figures|picture)\.cxx|oversketch_studio\.dir/Unity|mocs_compilation|^(Filters|Widgets)/.*/Unity/"
                r"|^Applications/Command/.*/Unity/|kernel_tests(\.dir/cmake_pch\.hxx)?\.cxx$")
     assert [source for source in compiled_anew(log) if not re.search(allowed, source)] == []
     return folder

@@ -34,7 +34,6 @@ constexpr double freeOfKnob = 7.0; // px, where an axis begins
 constexpr double leastSeen = 0.17; // sine of the angle to the line of sight
 // px: rings about the knob, in place of an axis that points at the viewer: up and down moves, round turns.
 constexpr double movingRing = 17.0, turningRing = 30.0;
-constexpr double leastFacing = 0.5; // cosine of it, from which on an angle is measured about the axis
 constexpr Colour axisColours[3] = { strokeRed, axisGreen, sectionBlue };
 
 // Grips: 1 the line; from 2 on ten of each handle, its knob and three parts of three axes.
@@ -43,25 +42,6 @@ constexpr int lineGrip = 1, firstHandle = 2, gripsOfHandle = 10;
 const Vector3& directionOf(const CurveFrame& frame, int axis)
 {
   return axis == 0 ? frame.along : axis == 1 ? frame.side : frame.outward;
-}
-
-struct Sight
-{
-  Vector3 origin, direction;
-};
-
-Sight sightThrough(const View& view, const Vector2& place, const Vector3& near)
-{
-  const Vector3 on = view.toWorld(place, view.depth(near));
-  return { on, (view.perspective() ? Vector3(on - view.eye()) : Vector3(-view.normal())).normalized() };
-}
-
-// Along a line through `origin`, the place nearest to a line of sight.
-double nearestAlong(const Vector3& origin, const Vector3& direction, const Sight& sight)
-{
-  const double b = direction.dot(sight.direction), apart = 1.0 - b * b;
-  const Vector3 between = sight.origin - origin;
-  return apart > 1e-9 ? (between.dot(direction) - b * between.dot(sight.direction)) / apart : 0.0;
 }
 
 } // namespace
@@ -319,30 +299,12 @@ double vtkOversketchAxisHandleRepresentation::GetAmount(int part, int axis, doub
     const double towards = along.dot(view.towardsViewer(origin)) < 0.0 ? -1.0 : 1.0;
     return towards * (to[1] - inner.from[1]) * pixelSize(view, origin);
   }
-  const Sight before = sightThrough(view, inner.from, origin), now = sightThrough(view, to, origin);
-  if (part != Rotate)
+  if (part == Rotate)
   {
-    const double a = nearestAlong(origin, along, before), b = nearestAlong(origin, along, now);
-    return part == Move ? b - a : a != 0.0 ? b / a : nothing;
+    return degreesAbout(view, inner.from, to, origin, along);
   }
-  // About an axis that looks at the viewer, the angle in its normal plane; about one that lies across the
-  // view, from whose rim that plane is seen edge on, a degree for a pixel sideways, as the near side of a
-  // wheel turns.
-  const Vector3 toViewer = view.towardsViewer(origin).normalized();
-  if (std::abs(toViewer.dot(along)) > leastFacing)
-  {
-    const auto onPlane = [&](const Sight& sight)
-    {
-      const double facing = sight.direction.dot(along);
-      return Vector3(sight.origin + (origin - sight.origin).dot(along) / facing * sight.direction - origin);
-    };
-    const Vector3 a = onPlane(before), b = onPlane(now);
-    return std::atan2(a.cross(b).dot(along), a.dot(b)) * 180.0 / M_PI;
-  }
-  const double step = pixelSize(view, origin);
-  const Vector3 rim = along.cross(toViewer).normalized();
-  const Vector2 sideways = (view.toDisplay(origin + step * rim) - view.toDisplay(origin)).head<2>();
-  return (to - inner.from).dot(sideways.normalized());
+  const double a = alongAxis(view, inner.from, origin, along), b = alongAxis(view, to, origin, along);
+  return part == Move ? b - a : a != 0.0 ? b / a : nothing;
 }
 
 void vtkOversketchAxisHandleRepresentation::GetShift(double x, double y, double shift[3])

@@ -95,7 +95,9 @@ std::string faultOf(const Step& step, const std::vector<SystemRow>& rows)
       return "'" + property + "' is no parameter of " + row->name;
     }
     const int* chosen = std::get_if<int>(&value);
+    const auto* numbers = std::get_if<std::vector<double>>(&value);
     if (value.index() != one->initial.index() ||
+        (numbers && numbers->size() != std::get<std::vector<double>>(one->initial).size()) ||
         (chosen && !one->choices.empty() &&
           (*chosen < 0 || static_cast<std::size_t>(*chosen) >= one->choices.size())))
     {

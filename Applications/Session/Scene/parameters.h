@@ -11,10 +11,20 @@
 #include <variant>
 #include <vector>
 
+// A property as parameter() and ofStep() ask for it: its name, and how it is set and got.
+#define PROPERTY(T, name) #name, &T::Set##name, &T::Get##name
+
 namespace oversketch_session
 {
 
-// For rows: a parameter of a step of the system, which does not repeat it; T is the step's class.
+// For SystemRow::make.
+template <typename T>
+vtkSmartPointer<vtkOversketchSystem> make()
+{
+  return vtkSmartPointer<T>::New();
+}
+
+// A parameter of a step of the system, which does not repeat it; T is the step's class.
 template <typename T, typename Setter, typename Getter>
 Parameter ofStep(const std::string& step,
   const std::string& property,
@@ -27,8 +37,9 @@ Parameter ofStep(const std::string& step,
 {
   const auto owner = [step](vtkOversketchSystem* system) { return static_cast<T*>(ownerOf(system, step)); };
   using Got = std::decay_t<decltype((std::declval<T&>().*getter)())>;
-  constexpr bool isText = std::is_same_v<Got, const char*>;
-  using Held = std::conditional_t<isText, std::string, Got>;
+  constexpr bool isText = std::is_same_v<Got, const char*>, isTriple = std::is_same_v<Got, double*>;
+  using Whole = std::conditional_t<isText, std::string, Got>;
+  using Held = std::conditional_t<isTriple, std::vector<double>, Whole>;
   Parameter made;
   made.property = property;
   made.word = word;
@@ -42,13 +53,27 @@ Parameter ofStep(const std::string& step,
     {
       (owner(system)->*setter)(std::get<Held>(value).c_str());
     }
+    else if constexpr (isTriple)
+    {
+      (owner(system)->*setter)(std::get<Held>(value).data());
+    }
     else
     {
       (owner(system)->*setter)(std::get<Held>(value));
     }
   };
   made.get = [owner, getter](vtkOversketchSystem* system) -> Value
-  { return Held((owner(system)->*getter)()); };
+  {
+    const Got got = (owner(system)->*getter)();
+    if constexpr (isTriple)
+    {
+      return Held(got, got + 3);
+    }
+    else
+    {
+      return Held(got);
+    }
+  };
   return made;
 }
 
@@ -63,6 +88,18 @@ Parameter parameter(const std::string& property,
   std::vector<Choice> choices = {})
 {
   return ofStep<T>("", property, setter, getter, word, title, help, std::move(choices));
+}
+
+// A parameter of the system's own class that is three numbers.
+template <typename T>
+Parameter triple(const std::string& property,
+  void (T::*setter)(const double*),
+  double* (T::*getter)(),
+  const std::string& word,
+  const std::string& title,
+  const std::string& help)
+{
+  return parameter<T>(property, setter, getter, word, title, help);
 }
 
 // Adds what a form offers of a number.
@@ -98,6 +135,13 @@ inline Parameter listing(Parameter made)
 inline Parameter later(Parameter made)
 {
   made.isLater = true;
+  return made;
+}
+
+// Makes one number stand for all where it is typed.
+inline Parameter oneForAll(Parameter made)
+{
+  made.oneForAll = true;
   return made;
 }
 

@@ -39,6 +39,7 @@ struct Parameter
   bool isFile = false;            // of a text: a command line names a JSON file that says it
   bool isList = false;            // of a text: a command line may add to it, by the same option given again
   bool isLater = false;           // session files leave the default out, as those from before it do
+  bool oneForAll = false;         // of numbers: a command line, or who types, may give one for all of them
   std::string actsWith;           // the input without which it has no effect; empty for none
   std::function<void(vtkOversketchSystem*, const Value&)> set;
   std::function<Value(vtkOversketchSystem*)> get;
@@ -120,6 +121,8 @@ struct SystemRow
   bool skin = false;
   // Steps move parts of a mesh above all, so that a proxy will do for a large one (large_mesh.h).
   bool moves = false;
+  // A step may add parts to the mesh that comes to it.
+  bool addsParts = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // Other properties that the class lets be set, each with the reason why no step holds it.

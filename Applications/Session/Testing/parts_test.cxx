@@ -7,6 +7,7 @@
 #include "picture_skin.h"
 #include "pieces.h"
 #include "session_file.h"
+#include "systems.h"
 #include "texture.h"
 
 #include "vtkCellData.h"
@@ -345,4 +346,47 @@ TEST(Parts, WhatALineLacksIsWhatItMeansWithout)
   EXPECT_EQ(treatmentOf(back[1].line), 1) << "a hole is forgotten beside a line that is off";
   EXPECT_FALSE(back[0].on);
   EXPECT_EQ(plain.line->GetCellData()->GetArray("Treatment"), nullptr) << "the line itself has changed";
+}
+
+// A copy in the mirror is a part of the step that made it, which a later drawing and a file do not mix up.
+TEST(Parts, ACopyIsOfTheStepThatMadeIt)
+{
+  if (!findSystem("Transform"))
+  {
+    return;
+  }
+  SessionFile file;
+  Session& session = file.session;
+  session.mesh = shippedModel("dog");
+  const auto placing = [](int id, int part, const std::vector<double>& move, int copy)
+  {
+    auto step = std::make_shared<Step>();
+    step->system = "Transform";
+    step->values = { { "Part", part }, { "Move", move }, { "Copy", copy } };
+    Node node;
+    node.id = id;
+    node.step = step;
+    return node;
+  };
+  session.nodes = {
+    placing(4, -1, { 0.1, 0.0, 0.0 }, 1), placing(5, 1, { 0.0, 2.0, 0.0 }, 0), drawing("head", 6, beside)
+  };
+  Evaluator evaluator;
+  const auto outcomes = madeBy(evaluator, session);
+  EXPECT_EQ(partsOf(outcomes[0].mesh), (std::set<int>{ 0, 1 }));
+  EXPECT_EQ(partsOf(outcomes[2].mesh), (std::set<int>{ 0, 1, 2 }));
+  const PartSources parts = sourcesOf(session, outcomes);
+  ASSERT_EQ(parts.size(), 3u);
+  EXPECT_EQ(parts.at(0).step, 0);
+  EXPECT_EQ(parts.at(1).step, 4);
+  EXPECT_EQ(parts.at(2).step, 6);
+  // The first is where it was, to the bit, while the other one moves.
+  for (vtkIdType i = 0; i < session.mesh->GetNumberOfPoints(); ++i)
+  {
+    ASSERT_EQ(outcomes[0].mesh->GetPoint(i)[1], outcomes[1].mesh->GetPoint(i)[1]);
+  }
+  const SessionFile read = decode(Encoder().encode(file), "a");
+  EXPECT_EQ(digestOf(madeBy(evaluator, read.session).back().mesh), digestOf(outcomes.back().mesh));
+  session.nodes[1] = placing(5, 1, { 0.0, 2.0 }, 0);
+  EXPECT_NE(faultOf(*session.nodes[1].step), "") << "two numbers are no move";
 }

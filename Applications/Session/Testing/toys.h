@@ -5,7 +5,6 @@
 
 #include "parameters.h"
 #include "session.h"
-#include "systems.h"
 
 #include "vtkOversketchSystem.h"
 

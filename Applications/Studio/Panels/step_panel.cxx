@@ -8,6 +8,8 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLineEdit>
+#include <QLocale>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -16,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace oversketch_studio
 {
@@ -27,6 +30,39 @@ namespace
 
 constexpr int sliderSteps = 200;
 constexpr const char* exactValue = "exactValue"; // a property of a slider, of a box
+
+using Numbers = std::vector<double>;
+
+// "0 1.5 0", in which a point is a point in every language.
+QString numbersText(const Numbers& numbers)
+{
+  QStringList words;
+  for (const double number : numbers)
+  {
+    words << QString::number(number, 'g', QLocale::FloatingPointShortest);
+  }
+  return words.join(' ');
+}
+
+// As many as wanted, or one for all of them; none where it is no such text.
+std::optional<Numbers> numbersIn(const QString& text, std::size_t count, bool oneForAll)
+{
+  Numbers numbers;
+  for (const QString& word : text.split(QRegularExpression("[\\s,;]+"), Qt::SkipEmptyParts))
+  {
+    bool isNumber = false;
+    numbers.push_back(word.toDouble(&isNumber));
+    if (!isNumber || !std::isfinite(numbers.back()))
+    {
+      return std::nullopt;
+    }
+  }
+  if (oneForAll && numbers.size() == 1)
+  {
+    return Numbers(count, numbers.front());
+  }
+  return numbers.size() == count ? std::optional<Numbers>(numbers) : std::nullopt;
+}
 
 } // namespace
 
@@ -90,7 +126,8 @@ void StepPanel::addPage(const SystemRow& row)
   this->Pages[row.name] = page;
 }
 
-// A choice is a combo box, yes or no a check box, a number a spin box; others are the command's.
+// A choice is a combo box, yes or no a check box, a number a spin box, several are a line; others are the
+// command's.
 StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, QFormLayout* form)
 {
   Field field;
@@ -180,6 +217,28 @@ StepPanel::Field StepPanel::addField(const Parameter& parameter, QWidget* page, 
       box->setDecimals(std::clamp(2 - static_cast<int>(digits), 4, 12));
       widget->setProperty(exactValue, set);
       box->setValue(set);
+    };
+  }
+  else if (std::holds_alternative<Numbers>(parameter.initial))
+  {
+    auto* line = new QLineEdit(page);
+    connect(line, &QLineEdit::editingFinished, this, &StepPanel::read);
+    field.widget = line;
+    // A text that is none gives way to the last numbers.
+    field.read = [&parameter](QWidget* widget) -> Value
+    {
+      auto* box = static_cast<QLineEdit*>(widget);
+      const std::size_t count = std::get<Numbers>(parameter.initial).size();
+      const auto typed = numbersIn(box->text(), count, parameter.oneForAll);
+      const Numbers numbers = typed ? *typed : *numbersIn(box->property(exactValue).toString(), count, false);
+      box->setText(numbersText(numbers));
+      return numbers;
+    };
+    field.write = [](QWidget* widget, const Value& value)
+    {
+      const QString text = numbersText(std::get<Numbers>(value));
+      widget->setProperty(exactValue, text);
+      static_cast<QLineEdit*>(widget)->setText(text);
     };
   }
   else if (!parameter.offers.empty())

@@ -269,6 +269,7 @@ int Hand::key()
     Qt::Key_V,
     Qt::Key_Q,
     Qt::Key_6,
+    Qt::Key_7,
     Qt::Key_F4,
     Qt::Key_T,
     Qt::Key_O,

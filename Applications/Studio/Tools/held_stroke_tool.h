@@ -45,6 +45,7 @@ public:
   void stop() override;
   bool draws() const override;
   bool moves() const override;
+  bool leavesRows() const override { return true; }
   void offer(const oversketch_session::Step& step,
     const oversketch_session::Worker::NodeState& state,
     const oversketch_session::Point& place) override;

@@ -26,14 +26,6 @@ Vector3 middleOf(const PartPlace& place)
   return { 0.5 * (place.box[0] + place.box[2]), 0.5 * (place.box[1] + place.box[3]), place.depth };
 }
 
-// World units a px at a place.
-double pixelAt(const View& view, const Vector3& place)
-{
-  const Vector2 at = view.toDisplay(place).head<2>();
-  const double depth = view.depth(place);
-  return (view.toWorld(at + Vector2(1.0, 0.0), depth) - view.toWorld(at, depth)).norm();
-}
-
 // The direction in which nearer is seen, and whether it is that of the z axis.
 struct Nearer
 {
@@ -43,7 +35,7 @@ struct Nearer
 
 Nearer nearerAt(const View& view, const Vector3& place)
 {
-  const double step = pixelAt(view, place);
+  const double step = pixelSize(view, place);
   const Vector3 ahead = place + step * Vector3::UnitZ();
   const Vector2 seen = view.toDisplay(ahead).head<2>() - view.toDisplay(place).head<2>();
   if (view.inFront(ahead) && seen.norm() > foreshortened)
@@ -53,37 +45,16 @@ Nearer nearerAt(const View& view, const Vector3& place)
   return { Vector2(-std::sqrt(0.5), -std::sqrt(0.5)), false };
 }
 
-// A ray through a pixel: a place on it about as far off as another one, and its direction.
-struct Ray
-{
-  Vector3 at, direction;
-};
-
-Ray rayAt(const View& view, const Vector2& display, const Vector3& place)
-{
-  const Vector3 at = view.toWorld(display, view.depth(place));
-  const Vector3 direction = -view.towardsViewer(at);
-  return { at, direction.normalized() };
-}
-
 std::optional<Vector2> onPlane(const View& view, const Vector2& display, const Vector3& place)
 {
-  const Ray ray = rayAt(view, display, place);
-  if (std::abs(ray.direction.z()) < grazing)
+  const oversketch::Sight sight = sightAt(view, display, place);
+  if (std::abs(sight.direction().z()) < grazing)
   {
     return std::nullopt;
   }
-  const Vector3 met = ray.at + (place.z() - ray.at.z()) / ray.direction.z() * ray.direction;
+  const Vector3 met =
+    sight.origin() + (place.z() - sight.origin().z()) / sight.direction().z() * sight.direction();
   return view.inFront(met) ? std::optional<Vector2>(met.head<2>()) : std::nullopt;
-}
-
-// How far along z from a place the axis comes next to the ray.
-double alongAxis(const View& view, const Vector2& display, const Vector3& place)
-{
-  const Ray ray = rayAt(view, display, place);
-  const Vector3 from = place - ray.at;
-  const double slope = ray.direction.z();
-  return (slope * ray.direction.dot(from) - from.z()) / (1.0 - slope * slope);
 }
 
 // A box one of whose corners is moved, the opposite one stays.
@@ -137,8 +108,9 @@ PartPlace dragged(const View& view,
   if (handle == PartHandle::Depth)
   {
     const Nearer nearer = nearerAt(view, middle);
-    to.depth += nearer.isAxis ? alongAxis(view, now, middle) - alongAxis(view, start, middle)
-                              : (now - start).dot(nearer.direction) * pixelAt(view, middle);
+    to.depth += nearer.isAxis ? alongAxis(view, now, middle, Vector3::UnitZ()) -
+                                  alongAxis(view, start, middle, Vector3::UnitZ())
+                              : (now - start).dot(nearer.direction) * pixelSize(view, middle);
   }
   else
   {

@@ -83,6 +83,8 @@ public:
   virtual bool draws() const { return false; }
   virtual bool moves() const { return false; }
   bool isBusy() const { return this->draws() || this->moves(); }
+  // Whether a click beside its lines, and Escape, leave the selected row also where that is one of its steps.
+  virtual bool leavesRows() const { return this->system().empty(); }
 
   // A step of its system that can be taken hold of, with what is known of it, and a place on the model; no
   // step any more; how the mesh follows it, where that is known only later.

@@ -19,6 +19,9 @@
 #ifdef OVERSKETCH_WITH_POSE
 #include "pose_tool.h"
 #endif
+#ifdef OVERSKETCH_WITH_TRANSFORM
+#include "place_tool.h"
+#endif
 #ifdef OVERSKETCH_WITH_RELAX
 #include "relax_tool.h"
 #endif
@@ -74,6 +77,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #endif
 #ifdef OVERSKETCH_WITH_INFLATEDRAWING
     new DrawingTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_TRANSFORM
+    new PlaceTool(viewport, document),
 #endif
     new TurnTool(viewport),
   };

@@ -307,7 +307,7 @@ void MainWindow::setTool(Tool* tool)
   this->Options->setCurrentIndex(at);
   this->Presets->setTool(tool);
   this->Mode->setText(tool->name());
-  this->Redrawn = tool->system().empty() ? -1 : this->Redrawn;
+  this->Redrawn = this->OpenDocument->isOf(this->Redrawn, tool->system()) ? this->Redrawn : -1;
   this->Speaks = -1;
   this->chooseLine();
   this->advise();

@@ -52,8 +52,7 @@ bool MainWindow::leavesRows() const
 {
   const Tool* tool = this->View->tool();
   const Node* row = this->OpenDocument->nodeAt(this->History->current());
-  return tool->system().empty() || qobject_cast<const HeldStrokeTool*>(tool) ||
-         (row && row->step->system != tool->system());
+  return tool->leavesRows() || (row && row->step->system != tool->system());
 }
 
 // A line that is seen is selected; else what is selected is left.
