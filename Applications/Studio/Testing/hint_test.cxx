@@ -111,7 +111,7 @@ TEST(Hint, FollowedExactlyEachGivesAGoodResult)
     pupil.wait();
   }
 #if defined(OVERSKETCH_WITH_EDIT) && defined(OVERSKETCH_WITH_AUGMENT)
-  EXPECT_EQ(tools, 5);
+  EXPECT_EQ(tools, 6);
 #endif
   EXPECT_GE(tools, 1);
 }

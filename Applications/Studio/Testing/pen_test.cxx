@@ -86,6 +86,7 @@ TEST(Pen, PressureReachesTheStrokesOfEveryTool)
     EXPECT_TRUE(keys.contains("Pen pressure " + tool->pressure())) << qPrintable(tool->name());
     EXPECT_EQ(tool->pressure(),
       tool->name() == "Line on surface" ? "is the line's height, where Pressure is height is ticked"
+      : tool->name() == "Smooth"        ? "is how much it smooths"
                                         : "makes no difference to this tool");
   }
   const QPoint middle = scene.seen(scene.document->result().mesh->GetCenter()) - QPoint(20, 20);

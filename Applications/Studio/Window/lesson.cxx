@@ -54,21 +54,21 @@ struct LessonRow
   bool isDrawing = false;
 };
 const LessonRow lessonRows[] = {
-  { QT_TRANSLATE_NOOP("Lessons", "A longer leg"),
+  { QT_TRANSLATE_NOOP("Lessons", "A longer &leg"),
     "Models/dog.ply",
     "Strokes/dog_longer_leg.vtp",
     1,
     "OneStroke",
     QT_TRANSLATE_NOOP("Lessons", "One line beside a limb says how its outline is to be."),
     QT_TRANSLATE_NOOP("Lessons", "The leg follows the line, and nothing else has moved.") },
-  { QT_TRANSLATE_NOOP("Lessons", "Raised lines"),
+  { QT_TRANSLATE_NOOP("Lessons", "&Raised lines"),
     "Models/octopus.ply",
     "Strokes/octopus_veins.vtp",
     3,
     "Augment",
     QT_TRANSLATE_NOOP("Lessons", "A line on the surface rises where it is drawn."),
     QT_TRANSLATE_NOOP("Lessons", "The mesh is finer along the lines, and only there.") },
-  { QT_TRANSLATE_NOOP("Lessons", "A model from a picture"),
+  { QT_TRANSLATE_NOOP("Lessons", "A model from a &picture"),
     "Drawings/fish.png",
     "Drawings/fish.vtp",
     2,
@@ -102,7 +102,7 @@ QVector<Lesson> lessons()
     Lesson one;
     one.title = QCoreApplication::translate("Lessons", row.title);
     (row.isDrawing ? one.example.picture : one.example.file) = shippedFile(row.model);
-    one.example.title = one.title;
+    one.example.title = QString(one.title).remove('&');
     one.strokes = shippedFile(row.strokes);
     one.count = row.count;
     one.system = row.system;
@@ -140,7 +140,7 @@ void LessonPlayer::play(const Lesson& lesson, FrameView* view)
   this->View = view;
   this->Stroke = 0;
   QCoreApplication::instance()->installEventFilter(this);
-  this->turnTo(Phase::Opening, lesson.title);
+  this->turnTo(Phase::Opening, lesson.example.title);
   this->Ticks->start();
 }
 
@@ -217,35 +217,39 @@ void LessonPlayer::takeStroke()
     this->Line.emplace_back(place[0] / ratio, this->View->height() - 1 - place[1] / ratio);
   }
   this->Lengths = oversketch::arcLengths(this->Line);
+  this->Rests = false;
   this->Since = this->Clock();
 }
 
 void LessonPlayer::draw()
 {
-  const double whole = this->Lengths.back(), passed = this->Clock() - this->Since,
-               time = std::clamp(whole / handSpeed, shortest, longest), share = passed / time;
-  const int count = static_cast<int>(this->Line.size());
-  if (this->IsDown || share < 1.0)
+  const double passed = this->Clock() - this->Since;
+  if (this->Rests)
   {
-    const Vector2 place =
-      oversketch::placeAt(this->Lengths, count, std::min(1.0, share) * whole).of(this->Line);
-    if (!this->IsDown)
+    if (passed > restOfHand)
     {
-      this->send(QEvent::MouseMove, place);
-      this->send(QEvent::MouseButtonPress, place);
+      ++this->Stroke;
+      this->Stroke < std::min<vtkIdType>(this->Taught.count, this->Strokes->GetNumberOfCells())
+        ? this->takeStroke()
+        : this->turnTo(Phase::Looking, this->Taught.done);
     }
-    this->send(QEvent::MouseMove, place);
-    if (share >= 1.0)
-    {
-      this->send(QEvent::MouseButtonRelease, place);
-    }
+    return;
   }
-  else if (passed > time + restOfHand)
+  const double whole = this->Lengths.back(),
+               share = std::min(1.0, passed / std::clamp(whole / handSpeed, shortest, longest));
+  const Vector2 place =
+    oversketch::placeAt(this->Lengths, static_cast<int>(this->Line.size()), share * whole).of(this->Line);
+  if (!this->IsDown)
   {
-    ++this->Stroke;
-    this->Stroke < std::min<vtkIdType>(this->Taught.count, this->Strokes->GetNumberOfCells())
-      ? this->takeStroke()
-      : this->turnTo(Phase::Looking, this->Taught.done);
+    this->send(QEvent::MouseMove, place);
+    this->send(QEvent::MouseButtonPress, place);
+  }
+  this->send(QEvent::MouseMove, place);
+  if (share == 1.0)
+  {
+    this->send(QEvent::MouseButtonRelease, place);
+    this->Rests = true;
+    this->Since = this->Clock();
   }
 }
 

@@ -30,7 +30,7 @@ class FrameView;
 
 struct Lesson
 {
-  QString title;
+  QString title;      // with its letter for menus
   Example example;    // that it is drawn on; of a drawing the picture alone
   QString strokes;    // the file of what is drawn, each stroke in its view
   int count = 0;      // that many of them, from the first one
@@ -97,6 +97,7 @@ private:
   oversketch::Polyline Line;   // the same in the view [px as Qt counts them]
   std::vector<double> Lengths; // along it
   bool IsDown = false;         // the pen
+  bool Rests = false;          // after the stroke
   QPointer<QLabel> Pen;
 };
 
