@@ -151,50 +151,51 @@ SystemRow mask()
       PROPERTY(System, Invert), "invert", "Invert", "mask what is free and free what is masked, at the end"),
   };
   row.mirroring = Mirroring::Strokes;
+  return row;
+}
 #endif
 
 #ifdef OVERSKETCH_WITH_TRANSFORM
-  SystemRow transform()
-  {
-    using System = vtkOversketchTransform;
-    SystemRow row;
-    row.name = "Transform";
-    row.verb = "transform";
-    row.title = "Place";
-    row.brief = "move, turn and scale a mesh or a part of it, or add its mirror image";
-    row.help =
-      "Scales, turns and moves the mesh or one of its parts, about the middle of the box of what "
-      "moves, and adds its image in a mirror where one is asked for. Lengths are those of the model.";
-    row.make = make<System>;
-    row.inputs = { { "Mesh", "mesh", "the mesh that is placed", SystemInput::Kind::Mesh, 0 } };
-    row.parameters = {
-      triple<System>(PROPERTY(System, Move), "move", "Move", "how far along x, y and z"),
-      triple<System>(
-        PROPERTY(System, Turn), "turn", "Turn", "degrees about x, y and z; y first, then x, then z"),
-      oneForAll(triple<System>(PROPERTY(System, Scale),
-        "scale",
-        "Scale",
-        "factors along x, y and z, before it is turned; one number for all three")),
-      between(-1,
-        1000000,
-        parameter<System>(
-          PROPERTY(System, Part), "part", "Part", "the part's number, as in cell array PartId; -1 for all")),
-      parameter<System>(PROPERTY(System, Copy),
-        "copy",
-        "Copy",
-        "add it once more, as a further part, in the mirror",
-        { { "off", "none" }, { "mirrored", "in the mirror" } }),
-      parameter<System>(PROPERTY(System, MirrorAxis),
-        "mirror-axis",
-        "Mirror across",
-        "the axis that the copy's mirror is upright on",
-        { { "x", "x" }, { "y", "y" }, { "z", "z" } }),
+SystemRow transform()
+{
+  using System = vtkOversketchTransform;
+  SystemRow row;
+  row.name = "Transform";
+  row.verb = "transform";
+  row.title = "Place";
+  row.brief = "move, turn and scale a mesh or a part of it, or add its mirror image";
+  row.help = "Scales, turns and moves the mesh or one of its parts, about the middle of the box of what "
+             "moves, and adds its image in a mirror where one is asked for. Lengths are those of the model.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh that is placed", SystemInput::Kind::Mesh, 0 } };
+  row.parameters = {
+    triple<System>(PROPERTY(System, Move), "move", "Move", "how far along x, y and z"),
+    triple<System>(
+      PROPERTY(System, Turn), "turn", "Turn", "degrees about x, y and z; y first, then x, then z"),
+    oneForAll(triple<System>(PROPERTY(System, Scale),
+      "scale",
+      "Scale",
+      "factors along x, y and z, before it is turned; one number for all three")),
+    between(-1,
+      1000000,
       parameter<System>(
-        PROPERTY(System, MirrorOffset), "mirror-offset", "Mirror at", "where the mirror is on that axis"),
-    };
-    row.addsParts = true;
-    return row;
-  }
+        PROPERTY(System, Part), "part", "Part", "the part's number, as in cell array PartId; -1 for all")),
+    parameter<System>(PROPERTY(System, Copy),
+      "copy",
+      "Copy",
+      "add it once more, as a further part, in the mirror",
+      { { "off", "none" }, { "mirrored", "in the mirror" } }),
+    parameter<System>(PROPERTY(System, MirrorAxis),
+      "mirror-axis",
+      "Mirror across",
+      "the axis that the copy's mirror is upright on",
+      { { "x", "x" }, { "y", "y" }, { "z", "z" } }),
+    parameter<System>(
+      PROPERTY(System, MirrorOffset), "mirror-offset", "Mirror at", "where the mirror is on that axis"),
+  };
+  row.addsParts = true;
+  return row;
+}
 #endif
 
 } // namespace oversketch_session

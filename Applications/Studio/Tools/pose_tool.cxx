@@ -62,6 +62,8 @@ PoseTool::PoseTool(Viewport* viewport, const Document* document)
   this->setObjectName("pose");
 }
 
+PoseTool::~PoseTool() = default;
+
 // A limb's bone, and where it goes.
 QPainterPath PoseTool::icon() const
 {

@@ -20,6 +20,7 @@ class PoseTool : public HeldStrokeTool
 
 public:
   PoseTool(Viewport* viewport, const Document* document);
+  ~PoseTool() override;
 
   QString title() const override { return tr("Po&se"); }
   QKeySequence key() const override { return tr("6"); }

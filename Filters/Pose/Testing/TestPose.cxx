@@ -98,7 +98,8 @@ TEST_F(Pose, MaskedPointsStay)
     const Vector3 before(this->mesh->GetPoint(i)), way = Vector3(free->GetPoint(i)) - before;
     const Vector3 after(this->filter->GetOutput()->GetPoint(i));
     const double one = mask[static_cast<std::size_t>(i)];
-    one == 1.0 ? EXPECT_EQ(after, before) : EXPECT_LT((after - before - (1.0 - one) * way).norm(), 1e-6);
+    EXPECT_LT((after - before - (1.0 - one) * way).norm(), 1e-6);
+    EXPECT_TRUE(one < 1.0 || after == before);
     held += one == 1.0 && way.norm() > 0.01;
   }
   EXPECT_GT(held, 100);
