@@ -12,7 +12,7 @@ using namespace oversketch_studio;
 namespace
 {
 
-constexpr double haste = 6.0; // times as fast as for a learner
+constexpr double haste = 2.0; // times as fast as for a learner
 
 struct LessonScene : Scene
 {

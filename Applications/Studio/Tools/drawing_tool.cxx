@@ -59,7 +59,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   , OpenDocument(document)
   , Handles(viewport)
   , Magnetic(new QAction(tr("&Magnetic pen"), this))
-  , Swap(new QAction(tr("&Swap sides"), this))
+  , Swap(new QAction(tr("S&wap sides"), this))
 {
   this->setObjectName("drawing");
   this->Magnetic->setObjectName("magnetic");
