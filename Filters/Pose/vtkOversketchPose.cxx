@@ -23,7 +23,8 @@ using namespace oversketch;
 namespace
 {
 
-constexpr double mostOfModel = 0.5; // of its points: a limb is less
+constexpr double mostOfModel = 1.0 / 3.0; // of its points: a limb is less
+constexpr double mostBeside = 0.2;        // of the bone
 constexpr const char* boneRefused = "The bone cannot be used: %1";
 constexpr const char* poseRefused = "The pose cannot be used: %1";
 
@@ -66,9 +67,16 @@ void putHold(const Bone& bone, vtkPolyData* hold)
   lines.Put(hold);
 }
 
-Message remarkOf(vtkIdType folds, double share)
+Message remarkOf(vtkIdType folds, double share, double beside)
 {
   std::vector<Message> said;
+  if (beside > mostBeside)
+  {
+    said.emplace_back(
+      "%1 % of the bone lie beside the model and count for nothing: draw it over the limb, from "
+      "the joint that stays to the tip.",
+      std::lround(100.0 * beside));
+  }
   if (share > mostOfModel)
   {
     said.emplace_back("The bone takes %1 % of the model with it: begin it where the limb leaves the body, if "
@@ -239,7 +247,7 @@ int vtkOversketchPose::RequestData(vtkInformation*,
       vtkPolyData* bone = vtkPolyData::GetData(inputs[1]);
       this->PutPosed(mesh, bone, vtkPolyData::GetData(inputs[2]), output);
       inner.Keep(output);
-      remark = remarkOf(inner.Made->Figures.Folds, inner.Made->Share);
+      remark = remarkOf(inner.Made->Figures.Folds, inner.Made->Share, inner.Held->Line.beside);
     });
   this->SetRemark(remark);
   return done;

@@ -180,6 +180,7 @@ Bone boneUnder(const SurfaceRays& surface, const View& view, const Polyline& lin
       "joint that stays to the tip.");
   }
   Bone bone;
+  bone.beside = 1.0 - static_cast<double>(met.back() - met.front()) / count;
   bone.joint = { crossings[met.front()]->entry.at.triangle, crossings[met.front()]->exit.at.triangle };
   std::vector<double> depths;
   for (std::size_t k = 0; k < met.size(); ++k)

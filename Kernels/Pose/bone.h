@@ -18,6 +18,7 @@ struct Bone
   std::vector<double> along;     // length from the joint to each
   std::vector<double> thickness; // of the limb at each, along the line of sight [model length]
   std::vector<Vector3> seen;     // the limb's front over the places, where a ray meets it
+  double beside = 0.0;           // share of the line that is left out at its ends, as it lies over nothing
   std::array<int, 2> joint;      // triangles in front of the joint and behind it
   Vector3 across =
     Vector3::Zero(); // unit normal, towards the tip, of the plane that cuts the limb at the joint

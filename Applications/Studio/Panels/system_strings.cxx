@@ -24,6 +24,7 @@ struct RowTexts
 
 const char* const terrainSystem = "Terrain";
 const char* const editSystemName = "Edit";
+const char* const maskSystemName = "Mask";
 const char* const poseSystemName = "Pose";
 
 // "12 %", also where that is less than half a hundredth.
@@ -46,6 +47,10 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
   if (step.system == terrainSystem)
   {
     return RowTexts::tr("makes the ground of it");
+  }
+  if (step.system == maskSystemName)
+  {
+    return RowTexts::tr("keeps a part as it is");
   }
   if (!state.region)
   {

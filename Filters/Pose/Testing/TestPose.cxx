@@ -17,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace oversketch;
@@ -68,7 +69,9 @@ TEST_F(Pose, TheLimbMovesAndNothingElse)
   EXPECT_EQ(this->filter->GetFigure("folded_edges"), 0);
   EXPECT_EQ(this->filter->GetFigure("joints"), 1);
   EXPECT_NEAR(this->filter->GetFigure("bend"), 90.0, 0.01);
-  EXPECT_STREQ(this->filter->GetRemark(), "");
+  EXPECT_EQ(std::string(this->filter->GetRemark()),
+    "The bone takes 50 % of the model with it: begin it where the limb leaves the body, if that is not "
+    "meant.");
   EXPECT_TRUE(identical(kept, this->mesh)) << "the input was touched";
   EXPECT_EQ(output->GetPolys()->GetMTime(), this->mesh->GetPolys()->GetMTime());
   vtkNew<vtkPolyData> hold, region;
@@ -216,6 +219,14 @@ TEST_F(Pose, WhatFoldsOrTakesTheModelAlongIsSaid)
   this->filter->Update();
   EXPECT_GT(this->filter->GetFigure("share"), 0.5);
   EXPECT_NE(std::string(this->filter->GetRemark()).find("of the model with it"), std::string::npos);
+}
+
+TEST_F(Pose, WhatOfABoneLiesBesideTheModelIsSaid)
+{
+  this->filter->SetBoneData(toStroke(straight({ 400, 300 }, { 850, 300 }, 60), front()));
+  this->filter->Update();
+  EXPECT_EQ(std::string(this->filter->GetRemark()).find("50 % of the bone lie beside the model"), 0u)
+    << this->filter->GetRemark();
 }
 
 TEST_F(Pose, ABadHandIsToldWhatIsWrong)
