@@ -15,10 +15,10 @@
  * that is a 4-8 mesh, as an output of this is, goes on from where it is. Points that a reader split for
  * texture coordinates or normals are welded for computing (exactly equal positions) and split again in the
  * output. The mesh's normals are not read. Point array Mask (vtkOversketchMask): points with 1 are neither
- * snapped, smoothed nor raised, nor new ones between two of them; others are raised by 1 - Mask of the
- * height. Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform,
- * ProjectionTransform, ViewportSize; any number, each with its own view. Cell arrays Radius, Height [model
- * length] and Sharpness go before the parameters, point array Pressure is read with UsePressure.
+ * snapped, smoothed nor raised, nor new ones between two of them; others rise by 1 - Mask of the height.
+ * Input 1 (Strokes): polylines in display coordinates with cell arrays ViewTransform, ProjectionTransform,
+ * ViewportSize; any number, each with its own view. Cell arrays Radius, Height [model length] and Sharpness
+ * go before the parameters, point array Pressure is read with UsePressure.
  *
  * Output 0: the mesh with its features, points in double, and the arrays of a 4-8 mesh
  * (Filters/Stellar/README.md), so that the next stroke can go on. Other arrays as vtkOversketchStellarBase
@@ -127,9 +127,7 @@ public:
 
   ///@{
   /**
-   * Length at either end of a stroke over which width and height fall to nothing, so that it ends in a point;
-   * of a stroke shorter than two of it, half the stroke [model length, not negative; default 0: ends are
-   * round]. Closed strokes have no ends.
+   * How long either end of an open stroke runs out into a point [model length, default 0: ends are round].
    */
   vtkSetMacro(Taper, double);
   vtkGetMacro(Taper, double);
@@ -240,19 +238,9 @@ private:
   vtkOversketchAugment(const vtkOversketchAugment&) = delete;
   void operator=(const vtkOversketchAugment&) = delete;
 
-  int Base = Direct;
-  int SketchMode = Surface;
-  int Combine = Nearest;
-  int Distance = Straight;
-  double Radius = -1.0;
-  double Height = 0.0;
-  double Sharpness = 1.5;
-  double TargetEdgeLength = 0.0;
-  bool UsePressure = false;
-  double Taper = 0.0;
-  bool OneByOne = false;
-  bool Simplify = true;
-  bool AsPublished = false;
+  int Base = Direct, SketchMode = Surface, Combine = Nearest, Distance = Straight;
+  double Radius = -1.0, Height = 0.0, Sharpness = 1.5, Taper = 0.0, TargetEdgeLength = 0.0;
+  bool UsePressure = false, OneByOne = false, Simplify = true, AsPublished = false;
   std::string Profile;
 
   struct Pipeline;

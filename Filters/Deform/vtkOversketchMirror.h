@@ -9,7 +9,8 @@
  * Input 0 (Mesh before): mesh before, vtkPolyData, symmetric about the plane wherever the deformation
  * moved it on the chosen side: every such point has a partner where the plane reflects it to, within
  * Tolerance. Point array Mask, where it has one (vtkOversketchMask): points with 1 do not follow their
- * partner. Input 1 (Deformed mesh): the same mesh after a deformation: same number of points, same cells.
+ * partner.
+ * Input 1 (Deformed mesh): the same mesh after a deformation: same number of points, same cells.
  *
  * Output 0: input 1 with new points: on the chosen side they are those of input 1. Points in the plane stay
  * in it (their coordinate along the axis is that of input 0). On the other side a point whose partner moved

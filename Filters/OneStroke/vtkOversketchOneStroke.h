@@ -35,7 +35,8 @@
  * normals are welded for computing (exactly equal positions) and split again in the output. The mesh's
  * normals are not read: the silhouette of the surface itself is meant. Point array Mask, where it has one
  * (vtkOversketchMask): points with 1 leave the region, so that neither remeshing nor deformation touches
- * them; less counts as free. Input 1 (Stroke): one stroke (one polyline in display coordinates with the cell
+ * them; less counts as free.
+ * Input 1 (Stroke): one stroke (one polyline in display coordinates with the cell
  * arrays ViewTransform, ProjectionTransform, ViewportSize).
  *
  * Output 0: the deformed mesh. Point, cell and field arrays survive; where the remesher made points they are

@@ -9,11 +9,11 @@
  * that it meets another part of the model (HoldBack).
  *
  * Input 0 (Mesh): 4-8 mesh, see vtkOversketchStellarBase and Filters/Stellar/README.md. Points move by 1 -
- * Mask of their way, a point array that vtkOversketchMask makes. Input 1 (Curves): polylines of
- * vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays Normals, Pressure and Room are
- * read, and the cell arrays Radius, Height and Sharpness go before parameters. Input 2 (Sketch, optional):
- * output 1 of vtkOversketchSilhouetteSketch, points and cells those of the curves one to one. With it heights
- * are not read.
+ * Mask of their way, a point array that vtkOversketchMask makes.
+ * Input 1 (Curves): polylines of vtkOversketchSurfaceStroke or vtkOversketchSilhouetteSketch; of their arrays
+ * Normals, Pressure and Room are read, and the cell arrays Radius, Height and Sharpness go before parameters.
+ * Input 2 (Sketch, optional): output 1 of vtkOversketchSilhouetteSketch, points and cells those of the curves
+ * one to one. With it heights are not read.
  *
  * Output 0 (Mesh): the 4-8 mesh; point arrays Feature (share of the height) and Displacement [model length],
  * StellarMoved with 2 where a vertex rose. The stroke ends here: BaseNormal and CurveDigest are gone, CurveId
@@ -130,8 +130,8 @@ public:
 
   ///@{
   /**
-   * Length at either end of an open curve over which width and height fall to nothing, so that it ends in a
-   * point; of a curve shorter than two of it, half the curve [model length, not negative; default 0: ends are
+   * Length at either end of an open curve over which it runs out into a point, of a curve shorter than two of
+   * it half the curve: the width as a sine, the height as its square [model length; default 0: ends are
    * round].
    */
   vtkSetMacro(Taper, double);
@@ -232,18 +232,10 @@ private:
   vtkOversketchStellarDisplace(const vtkOversketchStellarDisplace&) = delete;
   void operator=(const vtkOversketchStellarDisplace&) = delete;
 
-  double Radius = -1.0;
-  double Height = 0.0;
-  double Sharpness = 1.5;
+  double Radius = -1.0, Height = 0.0, Sharpness = 1.5, Taper = 0.0;
   std::string Profile;
-  int Distance = Straight;
-  bool ConnectedOnly = true;
-  bool UsePressure = false;
-  double Taper = 0.0;
-  int Normals = Base;
-  int Combine = Nearest;
-  bool HoldBack = true;
-  bool KeepBaseNormals = false;
+  int Distance = Straight, Normals = Base, Combine = Nearest;
+  bool ConnectedOnly = true, UsePressure = false, HoldBack = true, KeepBaseNormals = false;
   bool CountIntersections = true;
   int Moved = 0, FlippedFaces = 0, IntersectingFaces = -1, HeldBack = 0;
   double LeastShare = 1.0;

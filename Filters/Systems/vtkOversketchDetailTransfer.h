@@ -9,7 +9,8 @@
  * Departures: none, it is of no paper.
  *
  * Input 0 (Mesh): the triangle mesh that the proxy was made of, vtkPolyData. Points whose point array Mask is
- * 1 (vtkOversketchMask) keep their bits. Input 1 (Proxy): the proxy after its steps, vtkPolyData, of
+ * 1 (vtkOversketchMask) keep their bits.
+ * Input 1 (Proxy): the proxy after its steps, vtkPolyData, of
  * triangles of its own by now, perhaps. Point array Origin, 3 components: where each of its points was; steps
  * interpolate it for the points that they make.
  *

@@ -127,7 +127,7 @@ class Header:
         return {entry[0] for entry in self.own_parameters()}
 
     def default(self, name, comment, components):
-        members = [re.search(rf"^  \w+ {name}(?:\[\d\])? = (.*?);", header.text, re.M) for header in self.lineage()]
+        members = [re.search(rf"^  \w+ (?:[^;\n]*, )?{name}(?:\[\d\])? = (\{{.*?\}}|[^,;]*)", header.text, re.M) for header in self.lineage()]
         member = next((m for m in members if m), None)
         if member:
             values = member.group(1).strip("{ }").split(",")

@@ -10,11 +10,14 @@
 #include "sheet.h"
 #include "texture.h"
 
+#include "vtkPointData.h"
+
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPainter>
 #include <QPointF>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -62,12 +65,13 @@ struct Newcomer : Scene
     QTest::mouseClick(on, Qt::LeftButton, Qt::NoModifier, at);
     QApplication::processEvents();
   }
-  void drag(QWidget* on, const Path& path)
+  void drag(QWidget* on, const Path& path, Qt::KeyboardModifiers held = Qt::NoModifier)
   {
     ++this->actions;
-    const auto send = [on](QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons down)
+    const auto send = [on, held](
+                        QEvent::Type type, const QPoint& at, Qt::MouseButton button, Qt::MouseButtons down)
     {
-      QMouseEvent event(type, at, on->mapToGlobal(at), button, down, Qt::NoModifier);
+      QMouseEvent event(type, at, on->mapToGlobal(at), button, down, held);
       QApplication::sendEvent(on, &event);
       QApplication::processEvents();
     };
@@ -161,6 +165,23 @@ struct Newcomer : Scene
       path.push_back((tip + towards * ((back + by) * (1.0 - t * t) - back) + across * aside).toPoint());
     }
     return path;
+  }
+  // A straight line of that many moves.
+  static Path line(const QPoint& from, const QPoint& to, int moves = 30)
+  {
+    Path path;
+    for (int i = 0; i <= moves; ++i)
+    {
+      path.push_back(from + (to - from) * i / moves);
+    }
+    return path;
+  }
+  // The last step's system; nothing of the session has failed.
+  std::string made()
+  {
+    EXPECT_EQ(this->failures(), "");
+    const auto& nodes = this->document->session().nodes;
+    return nodes.empty() ? std::string() : nodes.back().step->system;
   }
   vtkPolyData* mesh() { return this->document->result().mesh; }
   std::string failures()
@@ -301,4 +322,88 @@ TEST(Tasks, OfANewcomerTakeFewActions)
   ASSERT_TRUE(textured);
   EXPECT_FALSE(oversketch_files::textureOf(textured).empty());
   hand.did("Export it with its texture", 3);
+}
+
+// Smoothing, masks, poses, places and traced outlines, on the shipped dog and a picture.
+TEST(Tasks, OfWhoGoesOnTakeFewActionsToo)
+{
+  Newcomer hand;
+  const QPoint back = hand.seen(hand.mesh()->GetCenter()) - QPoint(10, 20);
+  const Path flank = Newcomer::line(back - QPoint(40, 0), back + QPoint(40, 4));
+  QTest::keyClick(hand.view, Qt::Key_B);
+  hand.drag(hand.view, flank);
+  ASSERT_EQ(hand.made(), "Augment");
+  hand.actions = 0;
+  hand.key(Qt::Key_Return); // with Shift a part of the red line would be drawn anew
+  hand.drag(hand.view, flank, Qt::ShiftModifier);
+  EXPECT_EQ(hand.made(), "Relax");
+  hand.did("Smooth a line away", 2);
+
+  hand.key(Qt::Key_4);
+  Path lasso;
+  for (const QPointF& place : ring(back, 40.0))
+  {
+    lasso.push_back(place.toPoint());
+  }
+  hand.drag(hand.view, lasso);
+  EXPECT_EQ(hand.made(), "Mask");
+  EXPECT_TRUE(hand.mesh()->GetPointData()->HasArray("Mask"));
+  hand.did("Keep a part as it is", 2);
+
+  const QPoint tip = hand.farthest({ 0.0, -1.0 }); // of the tail
+  const QPoint root = tip + QPoint(-10, 70);
+  hand.key(Qt::Key_6);
+  hand.drag(hand.view, Newcomer::line(root, tip));
+  hand.drag(hand.view, Newcomer::line(root, root + QPoint(-60, -40)));
+  EXPECT_EQ(hand.made(), "Pose");
+  EXPECT_LT(hand.seen(hand.mesh()->GetCenter()).y(), hand.view->height());
+  EXPECT_GT(hand.farthest({ 0.0, -1.0 }).y(), tip.y() + 10) << "the tail is down";
+  hand.did("Bend a limb", 3);
+
+  const double before = hand.bound(0), width = hand.bound(1) - before;
+  hand.key(Qt::Key_7);
+  const QPoint body = hand.seen(hand.mesh()->GetCenter());
+  hand.click(hand.view, body);
+  hand.settle();
+  hand.drag(hand.view, Newcomer::line(body + QPoint(45, 0), body + QPoint(85, 0)));
+  EXPECT_EQ(hand.made(), "Transform");
+  EXPECT_GT(hand.bound(0), before + 0.02 * width);
+  EXPECT_NEAR(hand.bound(1) - hand.bound(0), width, 1e-6 * width);
+  hand.did("Move a model", 3);
+
+  const vtkIdType once = hand.mesh()->GetNumberOfPoints();
+  ++hand.actions; // and the key
+  QTest::mouseDClick(
+    hand.view, Qt::LeftButton, Qt::NoModifier, hand.seen(hand.mesh()->GetCenter()) + QPoint(-30, -15));
+  ++hand.actions;
+  hand.settle();
+  EXPECT_EQ(hand.made(), "Transform");
+  EXPECT_EQ(hand.mesh()->GetNumberOfPoints(), 2 * once);
+  hand.did("Its twin in the mirror", 2);
+}
+
+TEST(Tasks, ASilhouetteIsAModelInFourActions)
+{
+  Newcomer hand;
+  const QTemporaryDir folder;
+  const QString picture = folder.filePath("disc.png");
+  QImage disc(300, 200, QImage::Format_RGB32);
+  disc.fill(Qt::white);
+  QPainter painter(&disc);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(Qt::black);
+  painter.drawEllipse(QPoint(150, 100), 90, 70);
+  painter.end();
+  ASSERT_TRUE(disc.save(picture));
+  hand.file(Qt::Key_N, picture);
+  auto* pad = hand.window.findChild<DrawingPad*>();
+  ASSERT_TRUE(pad->isVisible());
+  hand.click(pad, pad->rect().center());
+  hand.settle();
+  EXPECT_EQ(hand.made(), "InflateDrawing");
+  ASSERT_TRUE(hand.mesh() && hand.mesh()->GetNumberOfPolys() > 0);
+  EXPECT_EQ(openEdges(hand.mesh()), 0);
+  EXPECT_NEAR(hand.bound(1) - hand.bound(0), 180.0, 3.0);
+  hand.did("A model of a silhouette", 4);
 }

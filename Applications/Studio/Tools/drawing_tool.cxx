@@ -247,8 +247,8 @@ QString DrawingTool::stage(const QString& name) const
   {
     return tr("Inflating");
   }
-  if (QStringList{ "Trace", "Canvas", "MagneticSnap", "Resample", "Arrange", "Classify", "Treatment" }
-        .contains(name))
+  if (name == "Trace" ||
+      QStringList{ "Canvas", "MagneticSnap", "Resample", "Arrange", "Classify", "Treatment" }.contains(name))
   {
     return tr("Reading the drawing");
   }

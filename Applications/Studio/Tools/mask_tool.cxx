@@ -21,7 +21,10 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr const char *modeName = "Mode", *throughName = "Through", *growName = "Grow", *invertName = "Invert";
+constexpr const char* modeName = "Mode";
+constexpr const char* throughName = "Through";
+constexpr const char* growName = "Grow";
+constexpr const char* invertName = "Invert";
 constexpr int replacing = 2; // of Mode
 constexpr double ownLengthOfSize = 0.02;
 

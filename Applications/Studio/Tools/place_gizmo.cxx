@@ -238,7 +238,7 @@ void PlaceGizmo::follow()
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines, polys;
   vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("Colour");
+  colours->SetName("colour");
   colours->SetNumberOfComponents(3);
   for (const GizmoShape& shape : this->Seen)
   {

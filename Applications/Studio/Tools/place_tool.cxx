@@ -38,6 +38,11 @@ namespace
 {
 
 constexpr const char* placingSystem = "Transform";
+constexpr const char* moveName = "Move";
+constexpr const char* turnName = "Turn";
+constexpr const char* scaleName = "Scale";
+constexpr const char* partName = "Part";
+constexpr const char* copyName = "Copy";
 
 template <typename T>
 T placingValue(const Step& step, const char* property)
@@ -49,14 +54,14 @@ Pose poseOf(const Step& step)
 {
   const auto read = [&step](const char* property)
   { return Vector3(placingValue<std::vector<double>>(step, property).data()); };
-  return { read("Move"), read("Turn"), read("Scale") };
+  return { read(moveName), read(turnName), read(scaleName) };
 }
 
 // Rounded, so that the step's form shows all digits.
 void setPose(const Pose& pose, Step& step)
 {
   const std::pair<const char*, Vector3> values[] = {
-    { "Move", pose.move }, { "Turn", pose.turn }, { "Scale", pose.scale }
+    { moveName, pose.move }, { turnName, pose.turn }, { scaleName, pose.scale }
   };
   for (const auto& [property, value] : values)
   {
@@ -73,7 +78,7 @@ Step placing(int part)
 {
   Step step;
   step.system = placingSystem;
-  step.values["Part"] = part;
+  step.values[partName] = part;
   return step;
 }
 
@@ -210,7 +215,7 @@ void PlaceTool::select(int node)
 {
   if (this->OpenDocument->isOf(node, placingSystem))
   {
-    this->Part = placingValue<int>(*this->OpenDocument->nodeAt(node)->step, "Part");
+    this->Part = placingValue<int>(*this->OpenDocument->nodeAt(node)->step, partName);
   }
 }
 
@@ -258,8 +263,8 @@ bool PlaceTool::canPlace() const
 bool PlaceTool::changesOffered() const
 {
   return this->Offered && this->Before && this->Part &&
-         placingValue<int>(*this->Offered, "Part") == *this->Part &&
-         placingValue<int>(*this->Offered, "Copy") == 0;
+         placingValue<int>(*this->Offered, partName) == *this->Part &&
+         placingValue<int>(*this->Offered, copyName) == 0;
 }
 
 void PlaceTool::follow()
@@ -481,7 +486,7 @@ bool PlaceTool::makeTwin(const Vector2& at)
     return false;
   }
   Step step = placing(*part);
-  step.values["Copy"] = 1;
+  step.values[copyName] = 1;
   const auto plane = this->OpenDocument->mirrorPlane(1); // none where the first step made the model
   step.values["MirrorOffset"] = plane ? plane->offset : this->View->mesh()->GetCenter()[0];
   const std::vector<int> parts = oversketch_files::partsOf(this->View->mesh());

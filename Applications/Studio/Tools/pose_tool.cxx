@@ -43,7 +43,7 @@ vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
   {
     const auto data = oversketch::SharedMesh(mesh);
     vtkNew<vtkFloatArray> normals;
-    normals->SetName("Normals");
+    normals->SetName("normals");
     normals->SetNumberOfComponents(3);
     for (const oversketch::Vector3& normal : data->Normals())
     {

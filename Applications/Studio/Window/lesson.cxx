@@ -42,6 +42,8 @@ constexpr double handSpeed = 0.2;                     // px as Qt counts them a 
 constexpr double shortest = 1200.0, longest = 4000.0; // ms a stroke
 constexpr int penSize = 28;                           // px as Qt counts them
 
+constexpr const char* lineSystem = "Augment";
+
 struct LessonRow
 {
   const char* title;
@@ -65,7 +67,7 @@ const LessonRow lessonRows[] = {
     "Models/dog.ply",
     "Strokes/dog_back.vtp",
     1,
-    "Augment",
+    lineSystem,
     QT_TRANSLATE_NOOP("Lessons", "A line on the surface rises where it is drawn."),
     QT_TRANSLATE_NOOP("Lessons", "The mesh is finer along the line, and only there.") },
   { QT_TRANSLATE_NOOP("Lessons", "A model from a &picture"),
