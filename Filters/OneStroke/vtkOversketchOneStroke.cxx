@@ -75,6 +75,7 @@ bool vtkOversketchOneStroke::Prepare()
     {
       this->Inner->FeedMesh(mesh);
       this->RunStage("ShapeDiameter");
+      this->RunStage("MixtureRegion", [this] { this->Inner->MixtureRegion->Prepare(); });
       return true;
     });
 }

@@ -175,6 +175,10 @@ struct vtkOversketchMixtureRegion::Cache
   std::vector<int> PartsWith(const std::vector<int>& vertices);
   // Makes Whole of the diameters, of these parts of the mesh (none: of all).
   void FitWhole(vtkOversketchMixtureRegion* self, vtkDataArray* diameters, const std::vector<int>& parts);
+  // Takes the mesh, and gives its diameters.
+  vtkDataArray* Take(vtkPolyData* input);
+  // The same where it is not there.
+  void ProvideWhole(vtkOversketchMixtureRegion* self, vtkPolyData* input, const std::vector<int>& parts);
   // The mixture of what the seeds stand for.
   Mixture Foreground(vtkOversketchMixtureRegion* self, const std::vector<int>& seeds);
   // Whether the thickness is the same everywhere but for noise, which is to say nothing.
@@ -456,38 +460,68 @@ vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
 
 vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
 
+vtkDataArray* vtkOversketchMixtureRegion::Cache::Take(vtkPolyData* input)
+{
+  this->Data = SharedMesh(input);
+  return RequireArray(input->GetPointData(),
+    "ShapeDiameter",
+    1,
+    input->GetNumberOfPoints(),
+    "mesh",
+    "compute it with vtkOversketchShapeDiameter");
+}
+
+void vtkOversketchMixtureRegion::Cache::ProvideWhole(vtkOversketchMixtureRegion* self,
+  vtkPolyData* input,
+  const std::vector<int>& parts)
+{
+  vtkDataArray* diameters = this->Take(input);
+  const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
+  const FitKey fitKey(self->Components, self->Seed, self->EvenSamples, self->GetBackend());
+  if (this->MeshRead != meshKey || this->FitRead != fitKey || this->PartsRead != parts || this->Whole.empty())
+  {
+    this->Whole.clear();
+    this->Arrays.clear();
+    this->FitWhole(self, diameters, parts);
+    this->MeshRead = meshKey;
+    this->FitRead = fitKey;
+    this->PartsRead = parts;
+  }
+}
+
+void vtkOversketchMixtureRegion::Prepare()
+{
+  auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
+  Cache& cache = *this->Internals;
+  if (input && input->GetNumberOfPoints() > 0)
+  {
+    RunFilter(this,
+      [&]
+      {
+        cache.Take(input);
+        // Of several parts the section tells which count.
+        if (!this->EvenSamples || cache.PartsOf().count == 1)
+        {
+          cache.ProvideWhole(this, input, {});
+        }
+      });
+  }
+}
+
 void vtkOversketchMixtureRegion::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   Cache& cache = *this->Internals;
-  cache.Data = SharedMesh(input);
-  vtkDataArray* diameters = RequireArray(input->GetPointData(),
-    "ShapeDiameter",
-    1,
-    input->GetNumberOfPoints(),
-    "mesh",
-    "compute it with vtkOversketchShapeDiameter");
+  cache.Take(input);
   const Section section = SectionOf(
     handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);
   const double sectionLength = this->LimitRunaway ? SectionLengthOf(handles) : 0.0;
   // Edge paths are up to half as long again as the way, and a foreshortened end as it looks.
   const double endLength = this->ReachEnds ? 2.0 * this->SeedMargin * SectionLengthOf(handles) : 0.0;
   const double shift = this->Reach != 0.0 ? this->Reach * SectionLengthOf(handles) : 0.0;
-  const MeshKey meshKey(input, { diameters, input->GetPointData()->GetNormals() });
-  const FitKey fitKey(this->Components, this->Seed, this->EvenSamples, this->GetBackend());
-  const std::vector<int> parts = this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>();
-  if (cache.MeshRead != meshKey || cache.FitRead != fitKey || cache.PartsRead != parts || cache.Whole.empty())
-  {
-    cache.Whole.clear();
-    cache.Arrays.clear();
-    cache.FitWhole(this, diameters, parts);
-    cache.MeshRead = meshKey;
-    cache.FitRead = fitKey;
-    cache.PartsRead = parts;
-  }
-
+  cache.ProvideWhole(this, input, this->EvenSamples ? cache.PartsWith(section.seeds) : std::vector<int>());
   const double diameter = section.seeds.empty() ? 0.0 : MedianOf(cache.Require(section.seeds, ThreadsOnly()));
   const bool near =
     cache.IsEven(this) || (this->ConfineToSection && !OfLimb(section, SectionLengthOf(handles), diameter));

@@ -204,6 +204,12 @@ public:
   vtkGetMacro(GrowthCount, vtkIdType);
   ///@}
 
+  /**
+   * Fits the mixture of a whole mesh of one part, input 0 as it is, so that the next Update need not. Errors
+   * as of an update.
+   */
+  void Prepare();
+
 protected:
   vtkOversketchMixtureRegion();
   ~vtkOversketchMixtureRegion() override;

@@ -4,6 +4,7 @@
 #include "Mesh/context.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMatch.h"
+#include "vtkOversketchMixtureRegion.h"
 #include "vtkOversketchOneStroke.h"
 
 #include "vtkIdList.h"
@@ -221,7 +222,7 @@ TEST(OneStroke, CancelThenRetryGivesTheFullResult)
 }
 
 // What no stroke changes is computed before the stroke is there.
-TEST(OneStroke, PreparedTheNextRunComputesNoShapeDiameter)
+TEST(OneStroke, PreparedTheNextRunComputesNoShapeDiameterAndNoMixtureOfTheWhole)
 {
   System cold, prepared;
   for (System* s : { &cold, &prepared })
@@ -231,7 +232,10 @@ TEST(OneStroke, PreparedTheNextRunComputesNoShapeDiameter)
   cold.filter->Update();
   EXPECT_TRUE(prepared.filter->Prepare());
   const vtkMTimeType made = prepared.filter->GetInnerOutput("ShapeDiameter")->GetMTime();
+  auto* region = vtkOversketchMixtureRegion::SafeDownCast(prepared.filter->GetStep("MixtureRegion"));
+  EXPECT_EQ(region->GetWholeFitCount(), 1);
   prepared.filter->Update();
+  EXPECT_EQ(region->GetWholeFitCount(), 1);
   EXPECT_EQ(prepared.filter->GetInnerOutput("ShapeDiameter")->GetMTime(), made);
   EXPECT_TRUE(identical(cold.filter->GetOutput(), prepared.filter->GetOutput()));
 
