@@ -199,7 +199,8 @@ std::vector<TracedRim> rimsOf(const cv::Mat1b& mask, const cv::Mat1b& cover, dou
     if (!isHole || 2.0 * inside >= width * length)
     {
       const auto place = isHole ? rims.end() : rims.begin();
-      rims.insert(place, TracedRim{ drawnFrom(smoothed(placed(chains[i], isHole, cover)), mask.size()), isHole });
+      rims.insert(
+        place, TracedRim{ drawnFrom(smoothed(placed(chains[i], isHole, cover)), mask.size()), isHole });
     }
   }
   return rims;

@@ -47,9 +47,9 @@ struct FeatureCurve
   Vector3 position(double parameter) const;
   // Linear between samples.
   double pressureAt(double parameter) const; // 1 where there is none
-  // Share of the width that a feature has there, which ends in points: from 0 at an open curve's ends it rises
-  // as a sine to 1 within `taper` of them, or half the curve where that is shorter. 1 with a taper of 0, and
-  // of a closed curve. The height has its square, so that flanks are flat at the point.
+  // Share of the width that a feature has there, which ends in points: from 0 at an open curve's ends it
+  // rises as a sine to 1 within `taper` of them, or half the curve where that is shorter. 1 with a taper of
+  // 0, and of a closed curve. The height has its square, so that flanks are flat at the point.
   double taperAt(double parameter, double taper) const;
   // Per point how far a feature may go, down (up false) or up; empty: as far as it likes. That is roomShare
   // of the room there, which in a round limb ends before the axis, and rises along the curve by no more

@@ -66,7 +66,8 @@ FeaturePreview previewFeature(const FeatureCurve& curve,
     const double pressure = usePressure && !curve.pressure.empty() ? curve.pressure[i] : 1.0;
     const double limit = limits.empty() ? std::numeric_limits<double>::infinity() : limits[i];
     const double height = std::clamp(pressure * h, -limit, limit);
-    preview.crest.push_back(p + share * share * (sketch ? Vector3((*sketch)[i] - p) : Vector3(height * normal)));
+    preview.crest.push_back(
+      p + share * share * (sketch ? Vector3((*sketch)[i] - p) : Vector3(height * normal)));
     preview.left.push_back(p + side);
     preview.right.push_back(p - side);
   }
