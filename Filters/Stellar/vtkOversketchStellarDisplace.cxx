@@ -96,13 +96,12 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
   RequireFinite(this->Height, "Height");
   RequireFinite(this->Taper, "Taper");
   const std::vector<double> reach{
-    this->Radius, static_cast<double>(this->Distance), static_cast<double>(this->ConnectedOnly)
+    this->Radius, this->Taper, static_cast<double>(this->Distance), static_cast<double>(this->ConnectedOnly)
   };
   std::vector<double> values = reach;
   for (const double value : { this->Height,
          this->Sharpness,
          static_cast<double>(this->UsePressure),
-         this->Taper,
          static_cast<double>(this->Normals),
          static_cast<double>(this->Combine),
          static_cast<double>(this->HoldBack),

@@ -289,15 +289,16 @@ Near walk(const Forest& forest, Near from, const Vector3& at)
 }
 
 // Places along a feature's crest, by which is told how well the mesh holds it: every twentieth of the radius
-// along a curve, a radius from either end excluded, the place on the mesh that is nearest there, sought from
-// faces that the curve passes through.
+// along a curve, a radius and the taper from either end excluded, the place on the mesh that is nearest
+// there, sought from faces that the curve passes through.
 std::vector<Binding> crestPlaces(const Forest& forest,
   const FeatureCurve& curve,
   double radius,
+  double taper,
   const std::vector<int>& passed)
 {
   std::vector<Binding> places;
-  const double margin = curve.closed ? 0.0 : radius, length = curve.length - 2.0 * margin;
+  const double margin = curve.closed ? 0.0 : std::max(radius, taper), length = curve.length - 2.0 * margin;
   if (!(length > 0.0) || passed.empty())
   {
     return places;
@@ -347,7 +348,8 @@ CurvesReached reachedBy(const Forest& forest,
     {
       changing[r.vertex] = 1;
     }
-    const std::vector<Binding> crest = crestPlaces(forest, curves[k], shapes[k].radius, crossed.faces(k));
+    const std::vector<Binding> crest =
+      crestPlaces(forest, curves[k], shapes[k].radius, options.taper, crossed.faces(k));
     reached.crest.insert(reached.crest.end(), crest.begin(), crest.end());
   }
   for (std::size_t v = 0; v < forest.vertices.size(); ++v)
