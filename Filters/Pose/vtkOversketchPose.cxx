@@ -165,23 +165,27 @@ struct vtkOversketchPose::Inner
   };
   std::unique_ptr<Result> Made; // null after a run that failed
 
+  // Leaves the limb's points where they are as far as they are masked.
+  void HoldMasked(vtkPolyData* mesh, std::vector<Vector3>& places)
+  {
+    this->Welding->PutMask(mesh, this->Mesh);
+    const std::vector<double> mask = MaskOf(this->Mesh);
+    for (std::size_t i = 0; !mask.empty() && i < places.size(); ++i)
+    {
+      const int v = this->Held->Part.vertices[i];
+      const Vector3& rest = this->Data->Surface().points[v];
+      places[i] = mask[v] == 0.0 ? places[i] : Vector3(rest + (1.0 - mask[v]) * (places[i] - rest));
+    }
+  }
+
   void Move(vtkPolyData* mesh, const Posed& made, vtkPolyData* result)
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->DeepCopy(this->Mesh->GetPoints());
-    this->Welding->PutMask(mesh, this->Mesh);
-    const std::vector<double> mask = MaskOf(this->Mesh);
     for (std::size_t i = 0; i < made.places.size(); ++i)
     {
-      const int v = this->Held->Part.vertices[i];
-      const double share = mask.empty() ? 1.0 : 1.0 - mask[v];
-      const Vector3& rest = this->Data->Surface().points[v];
-      if (share > 0.0)
-      {
-        points->SetPoint(
-          v, share == 1.0 ? made.places[i].data() : Vector3(rest + share * (made.places[i] - rest)).data());
-      }
+      points->SetPoint(this->Held->Part.vertices[i], made.places[i].data());
     }
     vtkNew<vtkPolyData> moved;
     moved->SetPoints(points);
@@ -279,13 +283,14 @@ void vtkOversketchPose::PutPosed(vtkPolyData* mesh, vtkPolyData* bone, vtkPolyDa
         return;
       }
       const DrawnBone drawn = drawnBoneOf(pose, poseRefused);
-      const Posed made = posed(grip.Patch->rest(),
+      Posed made = posed(grip.Patch->rest(),
         grip.Part,
         grip.Line,
         drawn.view,
         drawn.line,
         { this->Softness, this->Stretch },
         ContextOf(this, 0.6, 0.8));
+      inner.HoldMasked(mesh, made.places);
       inner.Move(mesh, made, result);
       inner.Figures.Joints = made.joints;
       inner.Figures.Bend = made.bend;

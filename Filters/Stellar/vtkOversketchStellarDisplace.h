@@ -87,8 +87,7 @@ public:
 
   ///@{
   /**
-   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; an empty text (default):
-   * none.
+   * A polyline "x y, x y, ..." with x rising from 0 to 1 in the profile's place; empty (default): none.
    */
   void SetProfile(const char* text);
   const char* GetProfile() const { return this->Profile.c_str(); }

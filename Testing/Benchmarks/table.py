@@ -262,11 +262,11 @@ def picture(rows, path):
     jobs = [job for job in dict.fromkeys(row["job"] for row in rows)
             if sum(row["job"] == job and row["size"] in TRIANGLES for row in rows) > 1]
     colours = pyplot.get_cmap("tab20")
-    shade = lambda k: colours((2 * k + k // 10) % 20)  # the ten dark ones, then the pale
+    shade = lambda k: colours((2 * k + k // 10) % 20)  # the ten dark ones, then the pale, then again with squares
     for k, job in enumerate(jobs):
         mine = sorted((TRIANGLES[row["size"]], row["ours_ms"], row["limit_ms"] or min(row["peers"].values(), default=None))
                       for row in rows if row["job"] == job and row["size"] in TRIANGLES)
-        axes.loglog([m[0] for m in mine], [m[1] for m in mine], "o-", color=shade(k), label=job)
+        axes.loglog([m[0] for m in mine], [m[1] for m in mine], "os"[k // 20 % 2] + "-", color=shade(k), label=job)
         bound = [(m[0], m[2]) for m in mine if m[2]]
         axes.loglog([b[0] for b in bound], [b[1] for b in bound], ":", color=shade(k), linewidth=1)
     axes.set_xlabel("triangles")

@@ -1,5 +1,4 @@
-// What rows of the list of systems are made with: parameters of classes, and what a form and a command line
-// make of them.
+// Parameters of classes, for rows of the list of systems, and what a form and a command line make of them.
 #ifndef oversketch_applications_session_scene_parameters_h
 #define oversketch_applications_session_scene_parameters_h
 

@@ -146,7 +146,7 @@ TEST(Drawing, AClickOnAShapeTracesIt)
   {
     EXPECT_NEAR(bounds[k], rim[k], 4.0);
   }
-  // What has its outline is traced no more: in it a click says nothing, beside it that it has one.
+  // A thing that has its outline is traced no more: a click in it says nothing, one beside it why.
   const std::string made = sheet.document->digest();
   sheet.click({ 200, 185 });
   sheet.click({ 360, 60 });

@@ -238,7 +238,7 @@ TEST(Look, AShadowLiesOnTheGroundUnderTheModel)
   EXPECT_LT(differingOverBall(shaded, bare, 24), 80);
   EXPECT_GT(shadeAt(below, bareBelow, atBelow), shadeAt(shaded, bare, at) + 0.1);
   EXPECT_LT(shadeAt(below, bareBelow, atBelow), 0.97);
-  // What is hidden throws none.
+  // A hidden model throws none.
   ball.view.hideParts({ -1 });
   const QImage empty = ball.from(30.0);
   ball.view.display().setShadow(false);

@@ -82,7 +82,7 @@ public:
   PlaceGizmo(const PlaceGizmo&) = delete;
   PlaceGizmo& operator=(const PlaceGizmo&) = delete;
 
-  // What it stands on: the middle before the pose, and the pose.
+  // The place it stands on: the middle before the pose, and the pose.
   struct Stand
   {
     oversketch::Vector3 middle;

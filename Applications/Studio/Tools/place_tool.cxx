@@ -87,7 +87,7 @@ vtkIntArray* partNumbers(vtkPolyData* mesh)
   return vtkIntArray::SafeDownCast(mesh->GetCellData()->GetAbstractArray("PartId"));
 }
 
-// What is placed, without points where that is not there; of a mesh without numbers all is part 0.
+// The placed part, without points where that is not there; of a mesh without numbers all is part 0.
 vtkSmartPointer<vtkPolyData> aloneOf(vtkPolyData* mesh, int part)
 {
   const bool isAll = part < 0 || (part == 0 && !partNumbers(mesh));
@@ -345,7 +345,7 @@ bool PlaceTool::eventFilter(QObject*, QEvent* event)
   return false;
 }
 
-// What is shown is awaited first: a drag begins on it.
+// Waits for what is shown first: a drag begins on it.
 bool PlaceTool::press(const QMouseEvent& mouse, const Vector2& at)
 {
   const auto grip = this->Gizmo.at(at);

@@ -58,14 +58,14 @@ constexpr const char* ball = R"(//VTK::Light::Impl
     float cool = max(0.0, dot(ball, normalize(vec3(0.70, -0.55, 0.45))));
     float rim = pow(1.0 - high, 3.0);
 )";
-// Of clay, with a bright rim; colours and pictures do not count.
+// Clay, with a bright rim; colours and pictures do not count.
 constexpr const char* clay = R"(
     float shine = pow(max(0.0, dot(ball, normalize(vec3(-0.28, 0.42, 0.86)))), 28.0);
     vec3 colour = vec3(0.16, 0.09, 0.08) + warm * vec3(0.66, 0.40, 0.31) + cool * vec3(0.10, 0.13, 0.18);
     gl_FragData[0].rgb = colour + 0.30 * shine + rim * vec3(0.22, 0.20, 0.22);
   }
 )";
-// Of plaster in the surface's own colour; a picture is laid over it afterwards. The sum is at most 0.94.
+// Plaster in the surface's own colour; a picture is laid over it afterwards. The sum is at most 0.94.
 constexpr const char* plaster = R"(
     vec3 lit = vec3(0.22, 0.22, 0.24) + warm * vec3(0.70, 0.66, 0.60) + cool * vec3(0.12, 0.16, 0.22) + rim * vec3(0.03, 0.06, 0.10);
     gl_FragData[0].rgb = (ambientColor + diffuseColor) * lit;

@@ -106,6 +106,14 @@ TEST_F(Pose, MaskedPointsStay)
     held += one == 1.0 && way.norm() > 0.01;
   }
   EXPECT_GT(held, 100);
+  // Folds are those of what comes out: none where all stays.
+  this->filter->SetPoseData(toStroke(straight({ 400, 300 }, { 200, 320 }, 60), front()));
+  this->filter->Update();
+  EXPECT_GT(this->filter->GetFigure("folded_edges"), 0);
+  PutMask(std::vector<double>(mask.size(), 1.0), this->mesh);
+  this->filter->Update();
+  EXPECT_EQ(this->filter->GetFigure("moved"), 0);
+  EXPECT_EQ(this->filter->GetFigure("folded_edges"), 0);
 }
 
 TEST_F(Pose, WithoutACourseTheMeshGoesThrough)
