@@ -126,7 +126,8 @@ public:
   };
   ///@{
   /**
-   * How weights fall from line to ring: Smooth (default), without a crease at either, or as published Linear.
+   * How weights fall from line to ring: Smooth (default), without a crease at either or a
+   * point at the line's ends, or as published Linear.
    */
   vtkSetClampMacro(Falloff, int, Smooth, Linear);
   vtkGetMacro(Falloff, int);

@@ -101,7 +101,7 @@ public:
   };
   ///@{
   /**
-   * How weights fall: Smooth (default), 1 - (3 s^2 - 2 s^3); Linear, as published, 1 - s.
+   * How weights fall: Smooth (default), 1 - (10 s^3 - 15 s^4 + 6 s^5); Linear, as published, 1 - s.
    */
   vtkSetClampMacro(Falloff, int, SMOOTH, LINEAR);
   vtkGetMacro(Falloff, int);

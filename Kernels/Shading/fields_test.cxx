@@ -40,7 +40,7 @@ TEST(B6_2, AStripFallsEvenly)
     rules.smoothing = filtered ? 0.15 : 0.0;
     const CurveFields fields = curveFields(drawn.patch, drawn.reference, rules, {});
     const std::vector<double> linear = weightsOf(fields, Falloff::Linear),
-                              cubic = weightsOf(fields, Falloff::Smooth);
+                              quintic = weightsOf(fields, Falloff::Smooth);
     for (int v = 0; v < drawn.patch.vertexCount(); ++v)
     {
       const Vector3& p = drawn.patch.points[v];
@@ -48,7 +48,7 @@ TEST(B6_2, AStripFallsEvenly)
       if (std::abs(p[0]) <= 5.0)
       {
         worst[filtered] = std::max(worst[filtered], std::abs(linear[v] - (1.0 - y)));
-        smooth = std::max(smooth, std::abs(cubic[v] - (1.0 - 3.0 * y * y + 2.0 * y * y * y)));
+        smooth = std::max(smooth, std::abs(quintic[v] - (1.0 - y * y * y * (10.0 - 15.0 * y + 6.0 * y * y))));
         if (std::abs(y - 0.5) < 1e-9)
         {
           // On the border of nothing: half way is within the third of five levels.
@@ -62,7 +62,8 @@ TEST(B6_2, AStripFallsEvenly)
   EXPECT_LT(smooth, 2e-6);
   fact("B6_2",
     "strip, straight distances: w = 1 - abs(y) within " + std::to_string(worst[0] * 1e9) + "e-9, smoothed " +
-      std::to_string(worst[1] * 1e9) + "e-9, and 1 - 3 y^2 + 2 abs(y)^3; half way is grey 128");
+      std::to_string(worst[1] * 1e9) +
+      "e-9, and 1 - 10 abs(y)^3 + 15 y^4 - 6 abs(y)^5; half way is grey 128");
 }
 
 TEST(CurveFields, LongDiagonalsLeaveNoRibs)

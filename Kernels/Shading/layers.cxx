@@ -181,8 +181,8 @@ double Layers::weight(double s, Falloff falloff) const
   {
     return 1.0 - this->restOf(s);
   }
-  const double rest = this->smoothRestOf(s);
-  return 1.0 - rest * rest * (3.0 - 2.0 * rest);
+  const double left = 1.0 - this->smoothRestOf(s);
+  return left * left * left * (10.0 - left * (15.0 - 6.0 * left)); // from the boundary's end, where it is 0
 }
 
 int Layers::level(double s) const

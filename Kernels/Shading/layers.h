@@ -18,7 +18,7 @@ struct LayerHandle
 
 enum class Falloff
 {
-  Smooth, // 1 - (3 s^2 - 2 s^3), without a jump of its slope at either curve
+  Smooth, // 1 - (10 s^3 - 15 s^4 + 6 s^5), without a jump of slope or curvature at either curve
   Linear  // 1 - s, as published
 };
 
@@ -29,7 +29,8 @@ enum class Falloff
 //
 // Departures: a vertex's weight is that of where it was, phi^-1(s), by a monotone cubic (Fritsch and Carlson,
 // "Monotone Piecewise Cubic Interpolation") in place of the linear phi^-1, whose kink at a handle is an edge
-// in the surface; and falls smoothly. Falloff::Linear is as published.
+// in the surface; and falls smoothly. Beyond an end of the reference curve s grows as a root of the distance,
+// so that only a power of s above 2 leaves no point there. Falloff::Linear is as published.
 //
 // A place on which several layers have come together has the outermost one's value. Throws
 // Error(Failure::BadStroke) for fewer than 2 levels or more than 256, and for a handle that is not finite or

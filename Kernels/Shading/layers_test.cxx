@@ -55,7 +55,7 @@ TEST(B7_2, LayersVanishAndComeBack)
     const Layers gone(5, { { 0.4, beyond } });
     EXPECT_EQ(visible(gone), 3);
     EXPECT_NEAR(gone.weight(0.0, Falloff::Linear), 0.6, 1e-15);
-    EXPECT_NEAR(gone.weight(0.0, Falloff::Smooth), 0.648, 1e-15);
+    EXPECT_NEAR(gone.weight(0.0, Falloff::Smooth), 0.68256, 1e-15);
     EXPECT_EQ(gone.weight(1.0), 0.0);
     EXPECT_EQ(gone.level(0.0), 2); // the later level
   }

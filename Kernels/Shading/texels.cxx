@@ -235,7 +235,7 @@ std::vector<double> Shading::weights(const ShadedPlaces& places, const Context& 
         const double share = static_cast<double>(area.where->shares[i]);
         if (share > 0.0)
         {
-          weight += share * (area.layers.weight(s, this->Fall) - weight);
+          weight = (1.0 - share) * weight + share * area.layers.weight(s, this->Fall);
         }
       }
       result[i] = weight;

@@ -11,6 +11,7 @@
 #include "vtkOversketchScanFill.h"
 #include "vtkOversketchShadingLevels.h"
 
+#include "vtkFeatureEdges.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -193,6 +194,25 @@ TEST(B13_2, RunsWhatDependsAndNothingElse)
   fact("B13_2",
     "an operation runs handles and deformation, a layer shading and on, K the re-sketch and on, a slid plane "
     "planes and on: no region is grown, no disc or field solved; a second update runs nothing");
+}
+
+TEST(EditSystem, ARaisedLineLeavesNoPointAtItsEndsAndNoEdgeAtTheRing)
+{
+  EditSystem s(toPolyData(icosphere(6)), lineOver(), ringOver(85.0));
+  s.operate("move 0.5 n %.9g", 0.05);
+  const auto sharp = [&]
+  {
+    vtkNew<vtkFeatureEdges> edges;
+    edges->SetInputData(s.run());
+    edges->BoundaryEdgesOff();
+    edges->NonManifoldEdgesOff();
+    edges->SetFeatureAngle(15.0);
+    edges->Update();
+    return edges->GetOutput()->GetNumberOfCells();
+  };
+  EXPECT_EQ(sharp(), 0);
+  s.filter->SetFalloffToLinear();
+  EXPECT_GT(sharp(), 0); // as published
 }
 
 TEST(EditSystem, SameBitsForAnyNumberOfThreadsAndColdAsCached)

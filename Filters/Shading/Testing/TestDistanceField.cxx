@@ -33,7 +33,7 @@ struct Measured
 
 double weight(double s, bool linear)
 {
-  return linear ? 1.0 - s : 1.0 - s * s * (3.0 - 2.0 * s);
+  return linear ? 1.0 - s : 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
 }
 
 } // namespace

@@ -109,7 +109,8 @@ TEST(B6_2, ByTheFiltersAStripFallsEvenly)
       const double x = drawn.patch.points[v][0], y = std::abs(drawn.patch.points[v][1]);
       if (std::abs(x) <= 5.0)
       {
-        worst = std::max(worst, std::abs(w[v] - (linear ? 1.0 - y : 1.0 - 3.0 * y * y + 2.0 * y * y * y)));
+        worst = std::max(
+          worst, std::abs(w[v] - (linear ? 1.0 - y : 1.0 - y * y * y * (10.0 - 15.0 * y + 6.0 * y * y))));
       }
     }
   }
