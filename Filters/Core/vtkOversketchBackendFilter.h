@@ -63,9 +63,6 @@ protected:
   void UsedBackend(oversketch::Backend used) { this->BackendUsed = static_cast<int>(used); }
 
 private:
-  vtkOversketchBackendFilter(const vtkOversketchBackendFilter&) = delete;
-  void operator=(const vtkOversketchBackendFilter&) = delete;
-
   int Backend = Auto;
   int BackendUsed = Auto;
 };

@@ -29,10 +29,6 @@ protected:
    * The filter's work, where input 0 is a polydata with points.
    */
   virtual void Execute(vtkInformationVector**, vtkInformationVector*) {}
-
-private:
-  vtkOversketchFilter(const vtkOversketchFilter&) = delete;
-  void operator=(const vtkOversketchFilter&) = delete;
 };
 
 #endif

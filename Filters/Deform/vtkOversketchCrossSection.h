@@ -123,9 +123,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCrossSection(const vtkOversketchCrossSection&) = delete;
-  void operator=(const vtkOversketchCrossSection&) = delete;
-
   int Ends = Nearest;
   int Walk = Across;
   double Right[3] = { 0.0, 0.0, 0.0 };

@@ -79,9 +79,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchHandles(const vtkOversketchHandles&) = delete;
-  void operator=(const vtkOversketchHandles&) = delete;
-
   std::string Operations;
 
   struct Cache;

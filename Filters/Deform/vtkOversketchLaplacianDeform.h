@@ -134,9 +134,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchLaplacianDeform(const vtkOversketchLaplacianDeform&) = delete;
-  void operator=(const vtkOversketchLaplacianDeform&) = delete;
-
   bool AdjustNormals = false;
   double HandleWeight = 10.0;
   vtkIdType AnalysisCount = 0;

@@ -75,9 +75,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMatrixDeform(const vtkOversketchMatrixDeform&) = delete;
-  void operator=(const vtkOversketchMatrixDeform&) = delete;
-
   int MovedPoints = 0;
   int FoldedEdges = 0;
   vtkIdType DeformCount = 0;

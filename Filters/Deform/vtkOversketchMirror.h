@@ -92,9 +92,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchMirror(const vtkOversketchMirror&) = delete;
-  void operator=(const vtkOversketchMirror&) = delete;
-
   int Axis = 0;
   double Offset = 0.0;
   int Side = Above;

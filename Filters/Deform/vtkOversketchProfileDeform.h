@@ -97,9 +97,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProfileDeform(const vtkOversketchProfileDeform&) = delete;
-  void operator=(const vtkOversketchProfileDeform&) = delete;
-
   bool UseTexture = false;
   int MovedPoints = 0;
   int FoldedEdges = 0;

@@ -83,9 +83,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProfilePlanes(const vtkOversketchProfilePlanes&) = delete;
-  void operator=(const vtkOversketchProfilePlanes&) = delete;
-
   double T = 0.5;
   int Frame = Surface;
 

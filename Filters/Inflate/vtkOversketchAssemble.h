@@ -43,10 +43,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
-private:
-  vtkOversketchAssemble(const vtkOversketchAssemble&) = delete;
-  void operator=(const vtkOversketchAssemble&) = delete;
 };
 
 #endif

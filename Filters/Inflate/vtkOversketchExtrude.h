@@ -69,9 +69,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchExtrude(const vtkOversketchExtrude&) = delete;
-  void operator=(const vtkOversketchExtrude&) = delete;
-
   double Depth = 0.0;
   int WallRows = 0;
   vtkIdType ExtrudeCount = 0;

@@ -164,9 +164,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchInflate(const vtkOversketchInflate&) = delete;
-  void operator=(const vtkOversketchInflate&) = delete;
-
   int Mode = Circular;
   std::string Profile;
   double HeightFactor = 1.0;

@@ -64,9 +64,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTunnel(const vtkOversketchTunnel&) = delete;
-  void operator=(const vtkOversketchTunnel&) = delete;
-
   bool TunnelWall = true;
   vtkIdType TunnelCount = 0;
 

@@ -106,9 +106,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMask(const vtkOversketchMask&) = delete;
-  void operator=(const vtkOversketchMask&) = delete;
-
   int Mode = Add;
   bool Through = false;
   double Grow = 0.0;

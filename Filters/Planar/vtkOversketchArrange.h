@@ -66,9 +66,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchArrange(const vtkOversketchArrange&) = delete;
-  void operator=(const vtkOversketchArrange&) = delete;
-
   double JoinDistance = 0.02;
   vtkIdType ArrangementCount = 0;
 

@@ -103,9 +103,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchClassify(const vtkOversketchClassify&) = delete;
-  void operator=(const vtkOversketchClassify&) = delete;
-
   double ContactShare = 0.05;
   int Resolution = 1024;
   bool AsPublished = false;

@@ -99,9 +99,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCoarseMesh(const vtkOversketchCoarseMesh&) = delete;
-  void operator=(const vtkOversketchCoarseMesh&) = delete;
-
   int TerminalRule = TWO_BOUNDARY_EDGES;
   bool Relax = true;
   vtkIdType MeshCount = 0;

@@ -93,9 +93,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDarts(const vtkOversketchDarts&) = delete;
-  void operator=(const vtkOversketchDarts&) = delete;
-
   int DartMode = LOCAL;
   int Seed = 1;
   bool AsPublished = false;

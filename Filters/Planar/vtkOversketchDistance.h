@@ -80,9 +80,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDistance(const vtkOversketchDistance&) = delete;
-  void operator=(const vtkOversketchDistance&) = delete;
-
   int LocalMaxMode = LOCAL;
   vtkIdType DistanceCount = 0;
 

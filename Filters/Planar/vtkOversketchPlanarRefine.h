@@ -165,9 +165,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchPlanarRefine(const vtkOversketchPlanarRefine&) = delete;
-  void operator=(const vtkOversketchPlanarRefine&) = delete;
-
   int Levels = 3;
   bool LevelsFromSketch = false;
   bool LargeFacesOnceMore = false;

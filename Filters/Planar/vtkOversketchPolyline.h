@@ -119,9 +119,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchPolyline(const vtkOversketchPolyline&) = delete;
-  void operator=(const vtkOversketchPolyline&) = delete;
-
   int DeltaMode = ADAPTIVE;
   double Tolerance = 0.05;
   double JoinDistance = 0.01;

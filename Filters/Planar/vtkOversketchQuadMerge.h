@@ -55,9 +55,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchQuadMerge(const vtkOversketchQuadMerge&) = delete;
-  void operator=(const vtkOversketchQuadMerge&) = delete;
-
   vtkIdType MergeCount = 0;
 
   struct Cache;

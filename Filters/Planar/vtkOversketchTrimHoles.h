@@ -63,9 +63,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTrimHoles(const vtkOversketchTrimHoles&) = delete;
-  void operator=(const vtkOversketchTrimHoles&) = delete;
-
   struct Cache;
   std::unique_ptr<Cache> Internals;
 };

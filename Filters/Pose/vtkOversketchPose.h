@@ -109,9 +109,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchPose(const vtkOversketchPose&) = delete;
-  void operator=(const vtkOversketchPose&) = delete;
-
   double Softness = 1.0;
   bool Stretch = false;
   vtkIdType LimbCount = 0;

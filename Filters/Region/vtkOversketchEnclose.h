@@ -72,9 +72,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchEnclose(const vtkOversketchEnclose&) = delete;
-  void operator=(const vtkOversketchEnclose&) = delete;
-
   vtkIdType GrowthCount = 0;
 
   struct Cache;

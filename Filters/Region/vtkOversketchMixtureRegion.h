@@ -217,9 +217,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMixtureRegion(const vtkOversketchMixtureRegion&) = delete;
-  void operator=(const vtkOversketchMixtureRegion&) = delete;
-
   double Lambda = 0.2;
   double SeedMargin = 0.1;
   bool FillIslands = true;

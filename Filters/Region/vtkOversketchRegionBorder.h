@@ -70,9 +70,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRegionBorder(const vtkOversketchRegionBorder&) = delete;
-  void operator=(const vtkOversketchRegionBorder&) = delete;
-
   bool Confine = true;
   int Rings = 2;
   vtkIdType SmoothingCount = 0;

@@ -114,9 +114,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchShapeDiameter(const vtkOversketchShapeDiameter&) = delete;
-  void operator=(const vtkOversketchShapeDiameter&) = delete;
-
   int RayCount = 32;
   double ConeAngle = 60.0;
   bool InverseAngleWeights = false;

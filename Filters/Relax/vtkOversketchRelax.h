@@ -107,9 +107,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRelax(const vtkOversketchRelax&) = delete;
-  void operator=(const vtkOversketchRelax&) = delete;
-
   double Radius = -1.0;
   double Strength = 1.0;
   bool UsePressure = true;

@@ -148,9 +148,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchInsertCurve(const vtkOversketchInsertCurve&) = delete;
-  void operator=(const vtkOversketchInsertCurve&) = delete;
-
   bool Snap = true;
   bool EmbedSegments = true;
   bool Bridge = true;

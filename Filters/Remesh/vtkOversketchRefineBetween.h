@@ -69,9 +69,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRefineBetween(const vtkOversketchRefineBetween&) = delete;
-  void operator=(const vtkOversketchRefineBetween&) = delete;
-
   double Edges = 7.0;
 
   struct Cache;

@@ -200,9 +200,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRemesh(const vtkOversketchRemesh&) = delete;
-  void operator=(const vtkOversketchRemesh&) = delete;
-
   int Stage = Stretch;
   int Iterations = 5;
   bool LimitByDiameter = true;

@@ -113,9 +113,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRetriangulate(const vtkOversketchRetriangulate&) = delete;
-  void operator=(const vtkOversketchRetriangulate&) = delete;
-
   int Rule = Edit;
   std::shared_ptr<const oversketch::Motion> Known;
   vtkIdType OperationCount = 0;

@@ -101,9 +101,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDistanceField(const vtkOversketchDistanceField&) = delete;
-  void operator=(const vtkOversketchDistanceField&) = delete;
-
   int Measure = SURFACE;
   double FieldSmoothing = 0.15;
   double ParameterSmoothing = 0.3;

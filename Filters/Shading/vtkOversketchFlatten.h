@@ -81,9 +81,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchFlatten(const vtkOversketchFlatten&) = delete;
-  void operator=(const vtkOversketchFlatten&) = delete;
-
   bool AsPublished = false;
   vtkIdType FlattenCount = 0;
 

@@ -69,9 +69,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchScanFill(const vtkOversketchScanFill&) = delete;
-  void operator=(const vtkOversketchScanFill&) = delete;
-
   int Resolution = 512;
   vtkIdType FillCount = 0;
 

@@ -152,9 +152,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchShadingLevels(const vtkOversketchShadingLevels&) = delete;
-  void operator=(const vtkOversketchShadingLevels&) = delete;
-
   // Fills the cache where it does not answer.
   void Shade(vtkPolyData* mesh, vtkPolyData* disc, vtkImageData* areas);
   void Paint(vtkIdType points,

@@ -51,9 +51,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTextureToWeight(const vtkOversketchTextureToWeight&) = delete;
-  void operator=(const vtkOversketchTextureToWeight&) = delete;
-
   struct Cache;
   std::unique_ptr<Cache> Internals;
 };

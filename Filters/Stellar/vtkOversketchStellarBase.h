@@ -131,9 +131,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarBase(const vtkOversketchStellarBase&) = delete;
-  void operator=(const vtkOversketchStellarBase&) = delete;
-
   int Mode = Direct;
   int TargetFaces = 0;
   double MaximumError = 0.0;

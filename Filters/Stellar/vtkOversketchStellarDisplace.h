@@ -228,9 +228,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarDisplace(const vtkOversketchStellarDisplace&) = delete;
-  void operator=(const vtkOversketchStellarDisplace&) = delete;
-
   double Radius = -1.0, Height = 0.0, Sharpness = 1.5, Taper = 0.0;
   std::string Profile;
   int Distance = Straight, Normals = Base, Combine = Nearest;

@@ -166,9 +166,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarRefine(const vtkOversketchStellarRefine&) = delete;
-  void operator=(const vtkOversketchStellarRefine&) = delete;
-
   double Radius = -1.0;
   double Sharpness = 1.5;
   double TargetEdgeLength = 0.0;

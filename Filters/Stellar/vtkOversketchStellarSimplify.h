@@ -113,9 +113,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSimplify(const vtkOversketchStellarSimplify&) = delete;
-  void operator=(const vtkOversketchStellarSimplify&) = delete;
-
   double Tolerance = -1.0;
   double Radius = -1.0;
   int Distance = Straight;

@@ -93,9 +93,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSmooth(const vtkOversketchStellarSmooth&) = delete;
-  void operator=(const vtkOversketchStellarSmooth&) = delete;
-
   int Rings = 2;
   int Iterations = 1;
   int Moved = 0, Refused = 0;

@@ -157,9 +157,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSnap(const vtkOversketchStellarSnap&) = delete;
-  void operator=(const vtkOversketchStellarSnap&) = delete;
-
   int Order = Nearest;
   int MaximumResidualRounds = 2;
   bool SnapFoot = true;

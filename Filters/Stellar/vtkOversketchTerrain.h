@@ -114,9 +114,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchTerrain(const vtkOversketchTerrain&) = delete;
-  void operator=(const vtkOversketchTerrain&) = delete;
-
   int Columns = 0;
   int Rows = 0;
   double QuadX = 0.0;

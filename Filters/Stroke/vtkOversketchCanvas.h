@@ -74,9 +74,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCanvas(const vtkOversketchCanvas&) = delete;
-  void operator=(const vtkOversketchCanvas&) = delete;
-
   vtkIdType ProjectionCount = 0;
 
   struct Cache;

@@ -87,9 +87,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMagneticSnap(const vtkOversketchMagneticSnap&) = delete;
-  void operator=(const vtkOversketchMagneticSnap&) = delete;
-
   bool AsPublished = false;
   vtkIdType EdgeCount = 0;
   vtkIdType SnapCount = 0;

@@ -132,9 +132,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchNurbsFit(const vtkOversketchNurbsFit&) = delete;
-  void operator=(const vtkOversketchNurbsFit&) = delete;
-
   int FitSpace = Picture;
   double Spacing = 10.0;
   bool Closed = false;

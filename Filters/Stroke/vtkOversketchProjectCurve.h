@@ -84,9 +84,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProjectCurve(const vtkOversketchProjectCurve&) = delete;
-  void operator=(const vtkOversketchProjectCurve&) = delete;
-
   double Spacing = 0.0;
   vtkIdType ProjectionCount = 0;
 

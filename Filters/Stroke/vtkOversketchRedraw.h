@@ -63,9 +63,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRedraw(const vtkOversketchRedraw&) = delete;
-  void operator=(const vtkOversketchRedraw&) = delete;
-
   vtkIdType CorrectionCount = 0;
 
   struct Cache;

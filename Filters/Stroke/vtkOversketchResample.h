@@ -50,9 +50,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchResample(const vtkOversketchResample&) = delete;
-  void operator=(const vtkOversketchResample&) = delete;
-
   vtkIdType ResamplingCount = 0;
 
   struct Cache;

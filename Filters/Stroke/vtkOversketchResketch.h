@@ -103,9 +103,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchResketch(const vtkOversketchResketch&) = delete;
-  void operator=(const vtkOversketchResketch&) = delete;
-
   double K = 6.0;
   int Middle = ArcLength;
   bool RawTangents = false;

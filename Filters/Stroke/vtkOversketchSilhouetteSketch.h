@@ -119,9 +119,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchSilhouetteSketch(const vtkOversketchSilhouetteSketch&) = delete;
-  void operator=(const vtkOversketchSilhouetteSketch&) = delete;
-
   int Projection = Line;
   double MaximumStep = -1.0;
   vtkIdType ProjectionCount = 0;

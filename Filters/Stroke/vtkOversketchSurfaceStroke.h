@@ -97,9 +97,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchSurfaceStroke(const vtkOversketchSurfaceStroke&) = delete;
-  void operator=(const vtkOversketchSurfaceStroke&) = delete;
-
   double Tolerance = -1.0;
   vtkIdType ProjectionCount = 0;
 

@@ -83,9 +83,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTrace(const vtkOversketchTrace&) = delete;
-  void operator=(const vtkOversketchTrace&) = delete;
-
   double Place[2] = { -1.0, -1.0 };
   int Holes = Tunnel;
   vtkIdType TraceCount = 0;

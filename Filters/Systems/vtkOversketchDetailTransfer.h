@@ -41,10 +41,6 @@ protected:
   ~vtkOversketchDetailTransfer() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  vtkOversketchDetailTransfer(const vtkOversketchDetailTransfer&) = delete;
-  void operator=(const vtkOversketchDetailTransfer&) = delete;
 };
 
 #endif

@@ -179,9 +179,6 @@ protected:
   double GetDone() const { return this->Done; }
 
 private:
-  vtkOversketchSystem(const vtkOversketchSystem&) = delete;
-  void operator=(const vtkOversketchSystem&) = delete;
-
   struct Stage
   {
     std::string Name;

@@ -136,9 +136,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTransform(const vtkOversketchTransform&) = delete;
-  void operator=(const vtkOversketchTransform&) = delete;
-
   void RequireValues();
 
   double Move[3] = { 0.0, 0.0, 0.0 };

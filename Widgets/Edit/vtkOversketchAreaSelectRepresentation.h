@@ -79,9 +79,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchAreaSelectRepresentation(const vtkOversketchAreaSelectRepresentation&) = delete;
-  void operator=(const vtkOversketchAreaSelectRepresentation&) = delete;
-
   void Follow();
 
   int Side = Disc;

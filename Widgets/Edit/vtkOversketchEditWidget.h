@@ -182,9 +182,6 @@ protected:
   ~vtkOversketchEditWidget() override;
 
 private:
-  vtkOversketchEditWidget(const vtkOversketchEditWidget&) = delete;
-  void operator=(const vtkOversketchEditWidget&) = delete;
-
   // Callback of the event translator.
   static void Key(vtkAbstractWidget* widget);
 

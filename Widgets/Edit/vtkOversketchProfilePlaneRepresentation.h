@@ -70,9 +70,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchProfilePlaneRepresentation(const vtkOversketchProfilePlaneRepresentation&) = delete;
-  void operator=(const vtkOversketchProfilePlaneRepresentation&) = delete;
-
   void LayOut();
 
   struct Internals;
