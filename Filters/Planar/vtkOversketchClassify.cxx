@@ -16,7 +16,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cctype>
 
 using namespace oversketch;
 

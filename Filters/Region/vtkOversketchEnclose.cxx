@@ -19,8 +19,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 struct vtkOversketchEnclose::Cache

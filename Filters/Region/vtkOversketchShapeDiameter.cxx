@@ -13,7 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <tuple>
 
 using namespace oversketch;

@@ -34,7 +34,6 @@
 #include "vtkAbstractWidget.h"
 
 #include <memory>
-#include <string>
 
 namespace oversketch
 {

@@ -13,14 +13,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace oversketch_session
 {
-
-class SystemRunner;
 
 class Evaluator
 {
