@@ -1,11 +1,15 @@
 #include "vtkOversketchFilter.h"
 
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchKept.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 
-vtkOversketchFilter::vtkOversketchFilter() = default;
+vtkOversketchFilter::vtkOversketchFilter()
+  : LastResult(std::make_unique<oversketch::KeptOutput>())
+{
+}
 
 vtkOversketchFilter::~vtkOversketchFilter() = default;
 

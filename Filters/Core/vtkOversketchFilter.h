@@ -14,6 +14,13 @@
 #include "OversketchFiltersCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory>
+
+namespace oversketch
+{
+class KeptOutput;
+}
+
 class OVERSKETCHFILTERSCORE_EXPORT vtkOversketchFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -29,6 +36,12 @@ protected:
    * The filter's work, where input 0 is a polydata with points.
    */
   virtual void Execute(vtkInformationVector**, vtkInformationVector*) {}
+
+  // The last result (vtkOversketchKept.h).
+  oversketch::KeptOutput& Kept() { return *this->LastResult; }
+
+private:
+  const std::unique_ptr<oversketch::KeptOutput> LastResult;
 };
 
 #endif

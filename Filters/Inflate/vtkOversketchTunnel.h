@@ -28,8 +28,6 @@
 #include "OversketchFiltersInflateModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchTunnel : public vtkOversketchFilter
 {
 public:
@@ -59,16 +57,13 @@ public:
 
 protected:
   vtkOversketchTunnel();
-  ~vtkOversketchTunnel() override;
+  ~vtkOversketchTunnel() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   bool TunnelWall = true;
   vtkIdType TunnelCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -35,8 +35,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchArrange : public vtkOversketchFilter
 {
 public:
@@ -60,17 +58,14 @@ public:
   vtkGetMacro(ArrangementCount, vtkIdType);
 
 protected:
-  vtkOversketchArrange();
-  ~vtkOversketchArrange() override;
+  vtkOversketchArrange() = default;
+  ~vtkOversketchArrange() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   double JoinDistance = 0.02;
   vtkIdType ArrangementCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -16,10 +16,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCoarseMesh::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchCoarseMesh);
 
 namespace
@@ -44,14 +40,11 @@ std::vector<Vector2> dartsOf(vtkPolyData* darts)
 } // namespace
 
 vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
-
-vtkOversketchCoarseMesh::~vtkOversketchCoarseMesh() = default;
 
 vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
 {
@@ -69,8 +62,7 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
     read.emplace_back(darts);
   }
   vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-  this->Internals->Provide(
-    StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
+  this->Kept().Provide(StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
     { output, edges },
     [&](const KeptOutput::Outputs& results)
     {

@@ -37,8 +37,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchCoarseMesh : public vtkOversketchFilter
 {
 public:
@@ -94,7 +92,7 @@ public:
 
 protected:
   vtkOversketchCoarseMesh();
-  ~vtkOversketchCoarseMesh() override;
+  ~vtkOversketchCoarseMesh() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -102,9 +100,6 @@ private:
   int TerminalRule = TWO_BOUNDARY_EDGES;
   bool Relax = true;
   vtkIdType MeshCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -11,20 +11,13 @@
 
 using namespace oversketch;
 
-struct vtkOversketchQuadMerge::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchQuadMerge);
 
 vtkOversketchQuadMerge::vtkOversketchQuadMerge()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
-
-vtkOversketchQuadMerge::~vtkOversketchQuadMerge() = default;
 
 vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
 {
@@ -36,7 +29,7 @@ void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformati
   vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  this->Internals->Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+  this->Kept().Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
     output,
     [&](vtkPolyData* result)
     {

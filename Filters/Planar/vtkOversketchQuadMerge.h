@@ -27,8 +27,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchQuadMerge : public vtkOversketchFilter
 {
 public:
@@ -50,15 +48,12 @@ public:
 
 protected:
   vtkOversketchQuadMerge();
-  ~vtkOversketchQuadMerge() override;
+  ~vtkOversketchQuadMerge() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkIdType MergeCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -14,20 +14,13 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTrimHoles::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchTrimHoles);
 
 vtkOversketchTrimHoles::vtkOversketchTrimHoles()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
-
-vtkOversketchTrimHoles::~vtkOversketchTrimHoles() = default;
 
 vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
 {
@@ -47,7 +40,7 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     this->GetEdgesOutput()->ShallowCopy(edges);
     return;
   }
-  this->Internals->Provide(
+  this->Kept().Provide(
     StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
     { output, this->GetEdgesOutput() },
     [&](const KeptOutput::Outputs& results)

@@ -31,8 +31,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkOversketchFilter
 {
 public:
@@ -58,13 +56,9 @@ public:
 
 protected:
   vtkOversketchTrimHoles();
-  ~vtkOversketchTrimHoles() override;
+  ~vtkOversketchTrimHoles() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -44,8 +44,6 @@
 #include "OversketchFiltersRemeshModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchInsertCurve : public vtkOversketchFilter
 {
 public:
@@ -143,7 +141,7 @@ public:
 
 protected:
   vtkOversketchInsertCurve();
-  ~vtkOversketchInsertCurve() override;
+  ~vtkOversketchInsertCurve() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -156,9 +154,6 @@ private:
   bool Clean = true;
   int BridgeCount = 0;
   vtkIdType InsertionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -17,10 +17,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRedraw::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchRedraw);
 
 namespace
@@ -193,13 +189,10 @@ MeshKey wholeKey(vtkPolyData* polyData)
 } // namespace
 
 vtkOversketchRedraw::vtkOversketchRedraw()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
-
-vtkOversketchRedraw::~vtkOversketchRedraw() = default;
 
 void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -211,7 +204,7 @@ void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationV
     output->ShallowCopy(curves);
     return;
   }
-  this->Internals->Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+  this->Kept().Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
     output,
     [&](vtkPolyData* result)
     {

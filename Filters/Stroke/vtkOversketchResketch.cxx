@@ -21,10 +21,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResketch::Cache : KeptOutput
-{
-};
-
 namespace
 {
 
@@ -156,12 +152,9 @@ void dropRepeated(Resketched& result, bool closed)
 vtkStandardNewMacro(vtkOversketchResketch);
 
 vtkOversketchResketch::vtkOversketchResketch()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
 }
-
-vtkOversketchResketch::~vtkOversketchResketch() = default;
 
 void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -171,8 +164,8 @@ void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  this->Internals->Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
-                             { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+  this->Kept().Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
+                         { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

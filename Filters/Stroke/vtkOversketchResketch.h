@@ -39,8 +39,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResketch : public vtkOversketchFilter
 {
 public:
@@ -98,7 +96,7 @@ public:
 
 protected:
   vtkOversketchResketch();
-  ~vtkOversketchResketch() override;
+  ~vtkOversketchResketch() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -107,9 +105,6 @@ private:
   int Middle = ArcLength;
   bool RawTangents = false;
   vtkIdType ResketchCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

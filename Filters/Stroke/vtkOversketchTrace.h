@@ -32,8 +32,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchTrace : public vtkOversketchFilter
 {
 public:
@@ -78,7 +76,7 @@ public:
 
 protected:
   vtkOversketchTrace();
-  ~vtkOversketchTrace() override;
+  ~vtkOversketchTrace() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -86,9 +84,6 @@ private:
   double Place[2] = { -1.0, -1.0 };
   int Holes = Tunnel;
   vtkIdType TraceCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif
