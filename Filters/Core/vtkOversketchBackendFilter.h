@@ -52,8 +52,8 @@ public:
   static const char* GetBackendWord(int backend);
 
 protected:
-  vtkOversketchBackendFilter();
-  ~vtkOversketchBackendFilter() override;
+  vtkOversketchBackendFilter() = default;
+  ~vtkOversketchBackendFilter() override = default;
 
   // After a new choice.
   virtual void BackendChanged() {}

@@ -1,17 +1,9 @@
 #include "vtkOversketchFilter.h"
 
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchKept.h"
 
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
-
-vtkOversketchFilter::vtkOversketchFilter()
-  : LastResult(std::make_unique<oversketch::KeptOutput>())
-{
-}
-
-vtkOversketchFilter::~vtkOversketchFilter() = default;
 
 int vtkOversketchFilter::RequestData(vtkInformation*,
   vtkInformationVector** inputs,

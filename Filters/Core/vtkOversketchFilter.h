@@ -14,12 +14,9 @@
 #include "OversketchFiltersCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <map>
 #include <memory>
-
-namespace oversketch
-{
-class KeptOutput;
-}
+#include <typeindex>
 
 class OVERSKETCHFILTERSCORE_EXPORT vtkOversketchFilter : public vtkPolyDataAlgorithm
 {
@@ -27,8 +24,8 @@ public:
   vtkAbstractTypeMacro(vtkOversketchFilter, vtkPolyDataAlgorithm);
 
 protected:
-  vtkOversketchFilter();
-  ~vtkOversketchFilter() override;
+  vtkOversketchFilter() = default;
+  ~vtkOversketchFilter() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -37,11 +34,22 @@ protected:
    */
   virtual void Execute(vtkInformationVector**, vtkInformationVector*) {}
 
-  // The last result (vtkOversketchKept.h).
-  oversketch::KeptOutput& Kept() { return *this->LastResult; }
+  /**
+   * What a filter keeps from run to run, one of each type; made when it is first asked for.
+   */
+  template <typename State>
+  State& Kept() const
+  {
+    std::shared_ptr<void>& state = this->States[typeid(State)];
+    if (!state)
+    {
+      state = std::make_shared<State>();
+    }
+    return *static_cast<State*>(state.get());
+  }
 
 private:
-  const std::unique_ptr<oversketch::KeptOutput> LastResult;
+  mutable std::map<std::type_index, std::shared_ptr<void>> States;
 };
 
 #endif

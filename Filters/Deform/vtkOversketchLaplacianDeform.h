@@ -41,8 +41,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class vtkPoints;
 
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchLaplacianDeform : public vtkOversketchFilter
@@ -129,7 +127,7 @@ public:
 
 protected:
   vtkOversketchLaplacianDeform();
-  ~vtkOversketchLaplacianDeform() override;
+  ~vtkOversketchLaplacianDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -145,7 +143,6 @@ private:
   vtkIdType ActiveHandleCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -39,8 +39,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchMatrixDeform : public vtkOversketchFilter
 {
 public:
@@ -70,7 +68,7 @@ public:
 
 protected:
   vtkOversketchMatrixDeform();
-  ~vtkOversketchMatrixDeform() override;
+  ~vtkOversketchMatrixDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -80,7 +78,6 @@ private:
   vtkIdType DeformCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -43,8 +43,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfileDeform : public vtkOversketchFilter
 {
 public:
@@ -92,7 +90,7 @@ public:
 
 protected:
   vtkOversketchProfileDeform();
-  ~vtkOversketchProfileDeform() override;
+  ~vtkOversketchProfileDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -103,7 +101,6 @@ private:
   vtkIdType DeformCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -37,8 +37,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfilePlanes : public vtkOversketchFilter
 {
 public:
@@ -78,7 +76,7 @@ public:
 
 protected:
   vtkOversketchProfilePlanes();
-  ~vtkOversketchProfilePlanes() override;
+  ~vtkOversketchProfilePlanes() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -87,7 +85,6 @@ private:
   int Frame = Surface;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -41,7 +41,6 @@ protected:
   vtkOversketchAssemble();
   ~vtkOversketchAssemble() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 };
 

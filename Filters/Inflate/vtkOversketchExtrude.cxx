@@ -21,7 +21,7 @@ void vtkOversketchExtrude::Execute(vtkInformationVector** inputs, vtkInformation
   const Context context = ContextOf(this);
   context.checkpoint(0.0);
   const double depth = this->Depth == 0.0 ? 0.1 * CanvasOf(mesh).longest() : this->Depth;
-  this->Kept().Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
+  this->Kept<KeptOutput>().Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

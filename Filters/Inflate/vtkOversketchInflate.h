@@ -48,7 +48,6 @@
 #include "OversketchFiltersInflateModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
 #include <string>
 
 class vtkImageData;
@@ -158,7 +157,7 @@ public:
 
 protected:
   vtkOversketchInflate();
-  ~vtkOversketchInflate() override;
+  ~vtkOversketchInflate() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -176,7 +175,6 @@ private:
   vtkIdType InflateCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

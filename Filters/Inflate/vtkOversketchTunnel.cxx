@@ -38,7 +38,7 @@ void vtkOversketchTunnel::Execute(vtkInformationVector** inputs, vtkInformationV
   }
   std::vector<double> values(tunnels.begin(), tunnels.end());
   values.push_back(this->TunnelWall);
-  this->Kept().Provide(StepKey({ WholeKey(surface) }, values),
+  this->Kept<KeptOutput>().Provide(StepKey({ WholeKey(surface) }, values),
     output,
     [&](vtkPolyData* result)
     {

@@ -67,7 +67,7 @@ void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformation
     { curves->GetFieldData()->GetArray("Canvas"),
       curves->GetFieldData()->GetArray("Resolution"),
       curves->GetCellData()->GetArray("StrokeId") });
-  this->Kept().Provide(StepKey({ read }, { this->JoinDistance }),
+  this->Kept<KeptOutput>().Provide(StepKey({ read }, { this->JoinDistance }),
     output,
     [&](vtkPolyData* result)
     {

@@ -46,11 +46,6 @@ vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
   DeclareInput(this, 1, { Port::Optional });
 }
 
-vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
 void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* polylines = vtkPolyData::GetData(inputs[0]);
@@ -62,7 +57,8 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
     read.emplace_back(darts);
   }
   vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-  this->Kept().Provide(StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
     { output, edges },
     [&](const KeptOutput::Outputs& results)
     {

@@ -60,7 +60,7 @@ public:
   /**
    * The edges on strokes, on port 1.
    */
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
   ///@{
   /**

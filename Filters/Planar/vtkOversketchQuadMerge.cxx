@@ -19,17 +19,12 @@ vtkOversketchQuadMerge::vtkOversketchQuadMerge()
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
 void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  this->Kept().Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
     output,
     [&](vtkPolyData* result)
     {

@@ -39,7 +39,7 @@ public:
    */
   void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
   void SetEdgesData(vtkPolyData* edges) { this->SetInputData(1, edges); }
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
   /**
    * How many times triangles have been merged: executions that the kept result did not answer.

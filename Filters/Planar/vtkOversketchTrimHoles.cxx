@@ -22,11 +22,6 @@ vtkOversketchTrimHoles::vtkOversketchTrimHoles()
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
 void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* faces = vtkPolyData::GetData(inputs[0]);
@@ -40,7 +35,7 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     this->GetEdgesOutput()->ShallowCopy(edges);
     return;
   }
-  this->Kept().Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
     { output, this->GetEdgesOutput() },
     [&](const KeptOutput::Outputs& results)

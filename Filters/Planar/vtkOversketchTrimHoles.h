@@ -52,7 +52,7 @@ public:
   /**
    * The edges, on output port 1.
    */
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
 protected:
   vtkOversketchTrimHoles();

@@ -40,8 +40,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchEnclose : public vtkOversketchFilter
 {
 public:
@@ -67,7 +65,7 @@ public:
 
 protected:
   vtkOversketchEnclose();
-  ~vtkOversketchEnclose() override;
+  ~vtkOversketchEnclose() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -75,7 +73,6 @@ private:
   vtkIdType GrowthCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

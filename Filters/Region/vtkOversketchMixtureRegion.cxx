@@ -452,12 +452,9 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
 vtkStandardNewMacro(vtkOversketchMixtureRegion);
 
 vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
 }
-
-vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
 
 vtkDataArray* vtkOversketchMixtureRegion::Cache::Take(vtkPolyData* input)
 {
@@ -491,7 +488,7 @@ void vtkOversketchMixtureRegion::Cache::ProvideWhole(vtkOversketchMixtureRegion*
 void vtkOversketchMixtureRegion::Prepare()
 {
   auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (input && input->GetNumberOfPoints() > 0)
   {
     RunFilter(this,
@@ -512,7 +509,7 @@ void vtkOversketchMixtureRegion::Execute(vtkInformationVector** inputs, vtkInfor
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Take(input);
   const Section section = SectionOf(
     handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);

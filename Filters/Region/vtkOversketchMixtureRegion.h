@@ -61,8 +61,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchBackendFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchMixtureRegion : public vtkOversketchBackendFilter
 {
 public:
@@ -212,7 +210,7 @@ public:
 
 protected:
   vtkOversketchMixtureRegion();
-  ~vtkOversketchMixtureRegion() override;
+  ~vtkOversketchMixtureRegion() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -234,7 +232,6 @@ private:
   vtkIdType WholeSampleCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

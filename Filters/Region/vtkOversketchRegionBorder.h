@@ -32,8 +32,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchRegionBorder : public vtkOversketchFilter
 {
 public:
@@ -64,8 +62,8 @@ public:
   vtkGetMacro(SmoothingCount, vtkIdType);
 
 protected:
-  vtkOversketchRegionBorder();
-  ~vtkOversketchRegionBorder() override;
+  vtkOversketchRegionBorder() = default;
+  ~vtkOversketchRegionBorder() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -75,7 +73,6 @@ private:
   vtkIdType SmoothingCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

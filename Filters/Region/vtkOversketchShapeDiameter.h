@@ -37,8 +37,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchBackendFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchShapeDiameter : public vtkOversketchBackendFilter
 {
 public:
@@ -108,8 +106,8 @@ public:
   vtkIdType GetTracedRayCount();
 
 protected:
-  vtkOversketchShapeDiameter();
-  ~vtkOversketchShapeDiameter() override;
+  vtkOversketchShapeDiameter() = default;
+  ~vtkOversketchShapeDiameter() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -123,7 +121,6 @@ private:
   vtkIdType TracedRayCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -258,7 +258,7 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
       static_cast<double>(this->Gap),
       this->JoinRuns ? 1.0 : 0.0,
       this->Clean ? 1.0 : 0.0 });
-  this->Kept().Provide(key,
+  this->Kept<KeptOutput>().Provide(key,
     { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
     [&](const KeptOutput::Outputs& made)
     {

@@ -87,7 +87,8 @@ void vtkOversketchRefineBetween::Execute(vtkInformationVector** inputs, vtkInfor
     return;
   }
   RequirePolygonsOnly(mesh); // the key does not see other cells
-  this->Kept().Provide(StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
     output,
     [&](vtkPolyData* result)
     {

@@ -108,7 +108,7 @@ public:
 
 protected:
   vtkOversketchRetriangulate();
-  ~vtkOversketchRetriangulate() override;
+  ~vtkOversketchRetriangulate() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -119,7 +119,6 @@ private:
   vtkIdType RetriangulationCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -33,8 +33,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchDistanceField : public vtkOversketchFilter
 {
 public:
@@ -96,7 +94,7 @@ public:
 
 protected:
   vtkOversketchDistanceField();
-  ~vtkOversketchDistanceField() override;
+  ~vtkOversketchDistanceField() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -106,9 +104,6 @@ private:
   double ParameterSmoothing = 0.3;
   bool AsPublished = false;
   vtkIdType FieldCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

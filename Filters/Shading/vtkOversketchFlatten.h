@@ -37,8 +37,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchFlatten : public vtkOversketchFilter
 {
 public:
@@ -76,7 +74,7 @@ public:
 
 protected:
   vtkOversketchFlatten();
-  ~vtkOversketchFlatten() override;
+  ~vtkOversketchFlatten() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -85,7 +83,6 @@ private:
   vtkIdType FlattenCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

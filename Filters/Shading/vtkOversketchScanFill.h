@@ -32,8 +32,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class vtkImageData;
 
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchScanFill : public vtkOversketchFilter
@@ -63,7 +61,7 @@ public:
 
 protected:
   vtkOversketchScanFill();
-  ~vtkOversketchScanFill() override;
+  ~vtkOversketchScanFill() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -73,7 +71,6 @@ private:
   vtkIdType FillCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -37,7 +37,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -145,7 +144,7 @@ public:
 
 protected:
   vtkOversketchShadingLevels();
-  ~vtkOversketchShadingLevels() override;
+  ~vtkOversketchShadingLevels() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -168,7 +167,6 @@ private:
   vtkIdType ShadeCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

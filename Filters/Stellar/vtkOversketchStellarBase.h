@@ -42,8 +42,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarBase : public vtkOversketchFilter
 {
 public:
@@ -54,7 +52,7 @@ public:
   /**
    * Output 1.
    */
-  vtkPolyData* GetSourceOutput();
+  vtkPolyData* GetSourceOutput() { return this->GetOutput(1); }
 
   enum ModeType
   {
@@ -126,7 +124,7 @@ public:
 
 protected:
   vtkOversketchStellarBase();
-  ~vtkOversketchStellarBase() override;
+  ~vtkOversketchStellarBase() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -140,7 +138,6 @@ private:
   vtkIdType BaseCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -36,7 +36,6 @@
 #include "vtkOversketchFilter.h"
 
 #include <limits>
-#include <memory>
 #include <string>
 
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarDisplace : public vtkOversketchFilter
@@ -223,7 +222,7 @@ public:
 
 protected:
   vtkOversketchStellarDisplace();
-  ~vtkOversketchStellarDisplace() override;
+  ~vtkOversketchStellarDisplace() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -241,7 +240,6 @@ private:
   vtkIdType DisplaceCount = 0, DistanceCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -35,8 +35,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarRefine : public vtkOversketchFilter
 {
 public:
@@ -161,7 +159,7 @@ public:
 
 protected:
   vtkOversketchStellarRefine();
-  ~vtkOversketchStellarRefine() override;
+  ~vtkOversketchStellarRefine() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -179,7 +177,6 @@ private:
   vtkIdType RefineCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

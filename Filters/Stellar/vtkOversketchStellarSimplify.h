@@ -29,8 +29,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSimplify : public vtkOversketchFilter
 {
 public:
@@ -108,7 +106,7 @@ public:
 
 protected:
   vtkOversketchStellarSimplify();
-  ~vtkOversketchStellarSimplify() override;
+  ~vtkOversketchStellarSimplify() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -119,9 +117,6 @@ private:
   bool ConnectedOnly = true;
   int Welded = 0;
   vtkIdType SimplifyCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

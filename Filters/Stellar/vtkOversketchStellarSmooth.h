@@ -34,8 +34,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSmooth : public vtkOversketchFilter
 {
 public:
@@ -88,7 +86,7 @@ public:
 
 protected:
   vtkOversketchStellarSmooth();
-  ~vtkOversketchStellarSmooth() override;
+  ~vtkOversketchStellarSmooth() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -97,9 +95,6 @@ private:
   int Iterations = 1;
   int Moved = 0, Refused = 0;
   vtkIdType SmoothCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

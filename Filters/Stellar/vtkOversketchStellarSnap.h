@@ -39,8 +39,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSnap : public vtkOversketchFilter
 {
 public:
@@ -152,7 +150,7 @@ public:
 
 protected:
   vtkOversketchStellarSnap();
-  ~vtkOversketchStellarSnap() override;
+  ~vtkOversketchStellarSnap() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -165,9 +163,6 @@ private:
   bool ConnectedOnly = true;
   int Crossings = 0, Residual = 0, Snapped = 0, Refused = 0, FacesAdded = 0, FootMoved = 0;
   vtkIdType SnapCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -37,8 +37,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchTerrain : public vtkOversketchSystem
 {
 public:
@@ -49,7 +47,7 @@ public:
   /**
    * The source, on port 1.
    */
-  vtkPolyData* GetSourceOutput();
+  vtkPolyData* GetSourceOutput() { return this->GetOutput(1); }
 
   ///@{
   /**
@@ -108,9 +106,8 @@ public:
 
 protected:
   vtkOversketchTerrain();
-  ~vtkOversketchTerrain() override;
+  ~vtkOversketchTerrain() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -123,7 +120,6 @@ private:
   vtkIdType TerrainCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -78,7 +78,7 @@ void vtkOversketchCanvas::Execute(vtkInformationVector** inputs, vtkInformationV
   const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
   const Canvas canvas = canvasOf(strokes, vtkImageData::GetData(inputs[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Kept().Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey({ CurvesKey(strokes, { "ViewTransform", "ProjectionTransform", "ViewportSize", "Closed" }) },
       { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
     output,

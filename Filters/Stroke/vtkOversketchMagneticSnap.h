@@ -40,8 +40,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkOversketchFilter
 {
 public:
@@ -82,7 +80,7 @@ public:
 
 protected:
   vtkOversketchMagneticSnap();
-  ~vtkOversketchMagneticSnap() override;
+  ~vtkOversketchMagneticSnap() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -92,7 +90,6 @@ private:
   vtkIdType SnapCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

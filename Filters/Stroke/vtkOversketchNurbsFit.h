@@ -42,8 +42,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkOversketchFilter
 {
 public:
@@ -127,7 +125,7 @@ public:
 
 protected:
   vtkOversketchNurbsFit();
-  ~vtkOversketchNurbsFit() override;
+  ~vtkOversketchNurbsFit() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -138,9 +136,6 @@ private:
   bool Interpolate = false;
   bool Periodic = true;
   bool CutLoops = true;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

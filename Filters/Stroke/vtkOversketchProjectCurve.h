@@ -43,8 +43,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchProjectCurve : public vtkOversketchFilter
 {
 public:
@@ -79,16 +77,13 @@ public:
 
 protected:
   vtkOversketchProjectCurve();
-  ~vtkOversketchProjectCurve() override;
+  ~vtkOversketchProjectCurve() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   double Spacing = 0.0;
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -204,7 +204,7 @@ void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationV
     output->ShallowCopy(curves);
     return;
   }
-  this->Kept().Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
     output,
     [&](vtkPolyData* result)
     {

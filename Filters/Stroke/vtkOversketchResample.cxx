@@ -47,7 +47,7 @@ void vtkOversketchResample::Execute(vtkInformationVector** inputs, vtkInformatio
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Kept().Provide(StepKey({ CurvesKey(input) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ CurvesKey(input) }, {}),
     output,
     [&](vtkPolyData* result)
     {

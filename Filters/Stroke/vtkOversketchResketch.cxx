@@ -164,8 +164,9 @@ void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  this->Kept().Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
-                         { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey({ WholeKey(curve), WholeKey(stroke) },
+      { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

@@ -49,8 +49,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSurfaceStroke : public vtkOversketchFilter
 {
 public:
@@ -92,16 +90,13 @@ public:
 
 protected:
   vtkOversketchSurfaceStroke();
-  ~vtkOversketchSurfaceStroke() override;
+  ~vtkOversketchSurfaceStroke() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   double Tolerance = -1.0;
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -153,7 +153,7 @@ int vtkOversketchTrace::RequestData(vtkInformation*,
           this->Place[0],
           this->Place[1],
           static_cast<double>(this->Holes) });
-      this->Kept().Provide(key,
+      this->Kept<KeptOutput>().Provide(key,
         vtkPolyData::GetData(outputs),
         [&](vtkPolyData* result)
         {
