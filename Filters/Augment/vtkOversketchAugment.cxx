@@ -59,30 +59,21 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
 
 bool vtkOversketchAugment::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
       this->Inner->FeedMesh(mesh);
       this->Inner->FeedPass(0);
       this->Inner->RunBase(this->Inner->Mesh);
       this->Inner->PrepareRays();
-      return true;
     });
 }
 
 bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
       this->Inner->FeedMesh(mesh);

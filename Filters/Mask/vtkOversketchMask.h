@@ -37,8 +37,6 @@
 #include "OversketchFiltersMaskModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSMASK_EXPORT vtkOversketchMask : public vtkOversketchSystem
 {
 public:
@@ -101,7 +99,7 @@ public:
 
 protected:
   vtkOversketchMask();
-  ~vtkOversketchMask() override;
+  ~vtkOversketchMask() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -112,7 +110,6 @@ private:
   bool Invert = false;
 
   struct Inner;
-  std::unique_ptr<Inner> Internals;
 };
 
 #endif

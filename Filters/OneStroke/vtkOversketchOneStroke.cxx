@@ -64,29 +64,20 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
 
 bool vtkOversketchOneStroke::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
       this->Inner->FeedMesh(mesh);
       this->RunStage("ShapeDiameter");
       this->RunStage("MixtureRegion", [this] { this->Inner->MixtureRegion->Prepare(); });
-      return true;
     });
 }
 
 bool vtkOversketchOneStroke::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
       this->Inner->Match->SetCandidate(this->Candidate);

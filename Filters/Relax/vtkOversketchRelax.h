@@ -39,8 +39,6 @@
 #include "OversketchFiltersRelaxModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSRELAX_EXPORT vtkOversketchRelax : public vtkOversketchSystem
 {
 public:
@@ -102,7 +100,7 @@ public:
 
 protected:
   vtkOversketchRelax();
-  ~vtkOversketchRelax() override;
+  ~vtkOversketchRelax() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -114,7 +112,6 @@ private:
   vtkIdType RelaxCount = 0;
 
   struct Inner;
-  std::unique_ptr<Inner> Internals;
 };
 
 #endif

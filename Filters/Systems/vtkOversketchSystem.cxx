@@ -268,6 +268,26 @@ bool vtkOversketchSystem::Try(const std::function<bool()>& body)
   return false;
 }
 
+bool vtkOversketchSystem::TryPrepare(const std::function<void(vtkPolyData*)>& body)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
+  const auto prepare = [&]
+  {
+    body(mesh);
+    return true;
+  };
+  return mesh && mesh->GetNumberOfPoints() > 0 && this->Try(prepare);
+}
+
+bool vtkOversketchSystem::TryPreview(vtkPolyData* mesh,
+  vtkPolyData* stroke,
+  vtkPolyData* hold,
+  const std::function<bool()>& body)
+{
+  hold->Initialize();
+  return mesh && stroke && mesh->GetNumberOfPoints() > 0 && this->Try(body);
+}
+
 void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>& work)
 {
   const auto stage = std::find_if(

@@ -162,6 +162,12 @@ protected:
   // Runs a body outside a run: without an error event. Returns whether body returned true; where it threw,
   // the error code tells why.
   bool Try(const std::function<bool()>& body);
+  // The same of Prepare, with the mesh of input 0, and of Preview; false where the mesh has no points.
+  bool TryPrepare(const std::function<void(vtkPolyData* mesh)>& body);
+  bool TryPreview(vtkPolyData* mesh,
+    vtkPolyData* stroke,
+    vtkPolyData* hold,
+    const std::function<bool()>& body);
   // Says that the run goes through the steps so often; each time then counts for its part of the progress.
   void SetPasses(std::size_t passes) { this->Passes = passes; }
   // Runs a step, or does with it what is given. Throws its first error, or Cancelled.
