@@ -121,11 +121,6 @@ struct vtkOversketchLaplacianDeform::Cache
 
 vtkStandardNewMacro(vtkOversketchLaplacianDeform);
 
-vtkOversketchLaplacianDeform::vtkOversketchLaplacianDeform()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 // Makes the part, and the bindings to it.
 void vtkOversketchLaplacianDeform::Cache::CutOut(const std::vector<char>& region,
   const std::vector<Binding>& bindings)

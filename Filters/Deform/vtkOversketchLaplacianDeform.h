@@ -126,7 +126,7 @@ public:
   ///@}
 
 protected:
-  vtkOversketchLaplacianDeform();
+  vtkOversketchLaplacianDeform() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchLaplacianDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

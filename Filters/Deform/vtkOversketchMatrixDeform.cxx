@@ -84,11 +84,6 @@ void vtkOversketchMatrixDeform::Cache::FindShares(const std::vector<double>& pla
   this->Places = places;
 }
 
-vtkOversketchMatrixDeform::vtkOversketchMatrixDeform()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchMatrixDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);

@@ -67,7 +67,7 @@ public:
   vtkGetMacro(DeformCount, vtkIdType);
 
 protected:
-  vtkOversketchMatrixDeform();
+  vtkOversketchMatrixDeform() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchMatrixDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -86,7 +86,7 @@ public:
   ///@}
 
 protected:
-  vtkOversketchMirror();
+  vtkOversketchMirror() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchMirror() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

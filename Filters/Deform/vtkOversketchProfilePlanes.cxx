@@ -71,11 +71,6 @@ void WriteSquares(const CurveFrame& frame, double halfSize, vtkPolyData* output)
 
 } // namespace
 
-vtkOversketchProfilePlanes::vtkOversketchProfilePlanes()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchProfilePlanes::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);

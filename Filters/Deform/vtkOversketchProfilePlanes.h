@@ -75,7 +75,7 @@ public:
   ///@}
 
 protected:
-  vtkOversketchProfilePlanes();
+  vtkOversketchProfilePlanes() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchProfilePlanes() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

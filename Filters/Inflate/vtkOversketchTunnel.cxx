@@ -18,11 +18,6 @@ using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchTunnel);
 
-vtkOversketchTunnel::vtkOversketchTunnel()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchTunnel::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* surface = vtkPolyData::GetData(inputs[0]);

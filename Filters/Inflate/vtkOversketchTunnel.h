@@ -56,7 +56,7 @@ public:
   vtkGetMacro(TunnelCount, vtkIdType);
 
 protected:
-  vtkOversketchTunnel();
+  vtkOversketchTunnel() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchTunnel() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -451,11 +451,6 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
 
 vtkStandardNewMacro(vtkOversketchMixtureRegion);
 
-vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 vtkDataArray* vtkOversketchMixtureRegion::Cache::Take(vtkPolyData* input)
 {
   this->Data = SharedMesh(input);

@@ -209,7 +209,7 @@ public:
   void Prepare();
 
 protected:
-  vtkOversketchMixtureRegion();
+  vtkOversketchMixtureRegion() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchMixtureRegion() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

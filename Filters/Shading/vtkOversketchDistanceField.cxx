@@ -47,11 +47,6 @@ void requireSmoothing(double value, const char* name)
 
 } // namespace
 
-vtkOversketchDistanceField::vtkOversketchDistanceField()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);

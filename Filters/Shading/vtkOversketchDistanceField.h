@@ -93,7 +93,7 @@ public:
   vtkGetMacro(FieldCount, vtkIdType);
 
 protected:
-  vtkOversketchDistanceField();
+  vtkOversketchDistanceField() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchDistanceField() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -92,11 +92,6 @@ Origins OriginsOnSurface(const Forest& forest,
 
 } // namespace
 
-vtkOversketchStellarBase::vtkOversketchStellarBase()
-{
-  this->SetNumberOfOutputPorts(2);
-}
-
 void vtkOversketchStellarBase::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);

@@ -123,7 +123,7 @@ public:
   ///@}
 
 protected:
-  vtkOversketchStellarBase();
+  vtkOversketchStellarBase() { this->SetNumberOfOutputPorts(2); }
   ~vtkOversketchStellarBase() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -71,11 +71,6 @@ void writeParameters(const std::vector<StrokeCurve>& curves,
 
 } // namespace
 
-vtkOversketchProjectCurve::vtkOversketchProjectCurve()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 vtkIdType vtkOversketchProjectCurve::GetSceneCount()
 {
   return this->Kept<KeptSurface>().Builds();

@@ -76,7 +76,7 @@ public:
   vtkIdType GetSceneCount();
 
 protected:
-  vtkOversketchProjectCurve();
+  vtkOversketchProjectCurve() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchProjectCurve() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -151,11 +151,6 @@ void dropRepeated(Resketched& result, bool closed)
 
 vtkStandardNewMacro(vtkOversketchResketch);
 
-vtkOversketchResketch::vtkOversketchResketch()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* curve = vtkPolyData::GetData(inputs[0]);

@@ -95,7 +95,7 @@ public:
   vtkGetMacro(ResketchCount, vtkIdType);
 
 protected:
-  vtkOversketchResketch();
+  vtkOversketchResketch() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchResketch() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

@@ -15,11 +15,6 @@ using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchSurfaceStroke);
 
-vtkOversketchSurfaceStroke::vtkOversketchSurfaceStroke()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchSurfaceStroke::Prepare()
 {
   if (this->GetNumberOfInputConnections(1) == 0)

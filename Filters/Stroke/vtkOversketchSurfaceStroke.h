@@ -89,7 +89,7 @@ public:
   vtkIdType GetSceneCount();
 
 protected:
-  vtkOversketchSurfaceStroke();
+  vtkOversketchSurfaceStroke() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchSurfaceStroke() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

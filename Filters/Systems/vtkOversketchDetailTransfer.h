@@ -37,7 +37,7 @@ public:
   vtkTypeMacro(vtkOversketchDetailTransfer, vtkOversketchFilter);
 
 protected:
-  vtkOversketchDetailTransfer();
+  vtkOversketchDetailTransfer() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchDetailTransfer() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;

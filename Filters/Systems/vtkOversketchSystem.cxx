@@ -18,10 +18,6 @@
 
 using namespace oversketch;
 
-vtkOversketchSystem::vtkOversketchSystem() = default;
-
-vtkOversketchSystem::~vtkOversketchSystem() = default;
-
 bool vtkOversketchSystem::Preview(vtkPolyData*, vtkPolyData*, vtkPolyData* hold)
 {
   hold->Initialize();
@@ -119,11 +115,6 @@ const char* vtkOversketchSystem::GetInnerOutputName(int index) const
   return stage ? stage->Name.c_str() : nullptr;
 }
 
-vtkPolyData* vtkOversketchSystem::GetInnerOutput(const char* name)
-{
-  return this->StageOutput(name);
-}
-
 vtkPolyData* vtkOversketchSystem::StageOutput(const char* name)
 {
   vtkAlgorithm* step = this->GetStep(name);
@@ -174,11 +165,6 @@ double vtkOversketchSystem::GetStageTime(const char* name) const
 {
   const Stage* stage = this->Find(name);
   return stage ? stage->Seconds : 0.0;
-}
-
-const char* vtkOversketchSystem::GetStageName() const
-{
-  return this->Running ? this->Running->Name.c_str() : "";
 }
 
 vtkMTimeType vtkOversketchSystem::GetMTime()

@@ -124,7 +124,7 @@ public:
    */
   int GetNumberOfInnerOutputs() const;
   const char* GetInnerOutputName(int index) const;
-  virtual vtkPolyData* GetInnerOutput(const char* name);
+  virtual vtkPolyData* GetInnerOutput(const char* name) { return this->StageOutput(name); }
   ///@}
 
   /**
@@ -135,7 +135,7 @@ public:
   /**
    * Name of the running step, for progress displays; empty outside a run.
    */
-  const char* GetStageName() const;
+  const char* GetStageName() const { return this->Running ? this->Running->Name.c_str() : ""; }
 
   /**
    * Includes the steps: a parameter set through GetStep makes the system run again.
@@ -143,8 +143,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkOversketchSystem();
-  ~vtkOversketchSystem() override;
+  vtkOversketchSystem() = default;
+  ~vtkOversketchSystem() override = default;
 
   // To be called by heirs, which own their steps: in the order of the steps, with the share of the run that a
   // step takes, for progress. A step that repeats another one is no inner output of its own.

@@ -223,10 +223,6 @@ Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
 
 } // namespace
 
-vtkOversketchTransform::vtkOversketchTransform() = default;
-
-vtkOversketchTransform::~vtkOversketchTransform() = default;
-
 void vtkOversketchTransform::RequireValues()
 {
   for (int axis = 0; axis < 3; ++axis)

@@ -130,8 +130,8 @@ public:
   FigureList Figures() override { return this->Found; }
 
 protected:
-  vtkOversketchTransform();
-  ~vtkOversketchTransform() override;
+  vtkOversketchTransform() = default;
+  ~vtkOversketchTransform() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
