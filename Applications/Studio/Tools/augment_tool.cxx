@@ -177,11 +177,6 @@ Values AugmentTool::values() const
   return values;
 }
 
-void AugmentTool::reshape(bool mergesIntoLast)
-{
-  this->shape(this->values(), mergesIntoLast);
-}
-
 // Without what the last step has raised, which the mesh carries.
 vtkSmartPointer<vtkPolyData> AugmentTool::meshBefore() const
 {

@@ -44,7 +44,7 @@ protected:
 
 private:
   oversketch_session::Values values() const;
-  void reshape(bool mergesIntoLast);
+  void reshape(bool mergesIntoLast) { this->shape(this->values(), mergesIntoLast); }
 
   AugmentOptions* Options;
   ProfileEditor* Profile;

@@ -165,11 +165,6 @@ bool PoseTool::follow(vtkPolyData* line)
   return true;
 }
 
-void PoseTool::lineGrows(vtkPolyData* line)
-{
-  this->follow(line); // a line of few pixels poses nothing
-}
-
 // The document runs it; until then what was seen last stays.
 void PoseTool::lineWhole(vtkPolyData* line)
 {
