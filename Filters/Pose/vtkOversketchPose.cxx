@@ -164,11 +164,8 @@ struct vtkOversketchPose::Inner
   void Keep(vtkPolyData* output)
   {
     auto made = std::make_unique<Result>();
-    std::vector<char> isLimb(this->Input.Data().Surface().points.size(), 0);
-    for (const int v : this->Held->Part.vertices)
-    {
-      isLimb[v] = 1;
-    }
+    const std::vector<char> isLimb =
+      marksAt(this->Held->Part.vertices, this->Input.Data().Surface().points.size());
     made->Moves.assign(static_cast<std::size_t>(output->GetNumberOfPoints()), 0);
     for (std::size_t i = 0; this->Figures.Moved > 0 && i < made->Moves.size(); ++i)
     {

@@ -79,17 +79,6 @@ constexpr int mostSamples = 2048; // for a mixture
 // box's diagonal: the paper's tolerance, whose unit is not told.
 constexpr double seedTolerance = 0.1;
 
-std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
-{
-  std::vector<double> picked;
-  picked.reserve(indices.size());
-  for (int i : indices)
-  {
-    picked.push_back(values[static_cast<std::size_t>(i)]);
-  }
-  return picked;
-}
-
 // The vertices by how far they lie from the middle of their surface: the same order for a turned model.
 std::vector<int> Outwards(const Mesh& mesh,
   const std::vector<double>& areas,
@@ -256,7 +245,7 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::Require(const std::vector
       this->Diameters[static_cast<std::size_t>(v)] = this->OnDemand->GetValue(v);
     }
   }
-  return Pick(this->Diameters, vertices);
+  return valuesAt(this->Diameters, vertices);
 }
 
 void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self,
@@ -286,7 +275,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
   {
     const std::vector<double>& areas = this->PartsOf().areas;
     fitted = Outwards(mesh, areas, fitted);
-    std::vector<int> even = evenItems(Pick(areas, fitted), mostSamples);
+    std::vector<int> even = evenItems(valuesAt(areas, fitted), mostSamples);
     std::transform(even.begin(),
       even.end(),
       even.begin(),
@@ -299,7 +288,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
   this->Range = samples.empty() ? 0.0 : *high - *low;
   if (!self->EvenSamples)
   {
-    samples = Pick(samples, drawWithoutReplacement(count, mostSamples, self->Seed));
+    samples = valuesAt(samples, drawWithoutReplacement(count, mostSamples, self->Seed));
   }
   std::transform(
     samples.begin(), samples.end(), samples.begin(), [this](double d) { return this->Scaled(d); });
@@ -324,7 +313,7 @@ Mixture vtkOversketchMixtureRegion::Cache::Foreground(vtkOversketchMixtureRegion
   samples =
     self->EvenSamples
       ? evenSamples(samples, mostSamples)
-      : Pick(samples, drawWithoutReplacement(static_cast<int>(samples.size()), mostSamples, self->Seed));
+      : valuesAt(samples, drawWithoutReplacement(static_cast<int>(samples.size()), mostSamples, self->Seed));
   return this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components))
     .mixture;
 }
@@ -407,11 +396,7 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     shift };
   const std::vector<char> region = detectRegion(
     mesh.Surface(), mesh.Neighbours(), mesh.Normals(), this->PartsOf(), evidence, options, growing);
-  std::vector<char> isSeed(region.size(), 0);
-  for (int seed : section.seeds)
-  {
-    isSeed[seed] = 1;
-  }
+  std::vector<char> isSeed = marksAt(section.seeds, region.size());
   if (this->OnDemand)
   {
     const std::vector<char> known = withinRings(mesh.Neighbours(), marked(region), knownRings);

@@ -115,12 +115,10 @@ public:
   vtkGetMacro(Unpaired, int);
   ///@}
 
-  ///@{
   /**
    * How many bases have been made: executions that neither the kept result nor the input itself answered.
    */
   vtkGetMacro(BaseCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarBase() { this->SetNumberOfOutputPorts(2); }

@@ -143,19 +143,15 @@ public:
   vtkGetMacro(MaximumFaces, int);
   ///@}
 
-  ///@{
   /**
    * Sweeps of the last refinement: how many times all triangles were looked at.
    */
   vtkGetMacro(Sweeps, int);
-  ///@}
 
-  ///@{
   /**
    * How many times a mesh has been refined: executions that the kept result did not answer.
    */
   vtkGetMacro(RefineCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarRefine();

@@ -85,24 +85,20 @@ public:
   vtkBooleanMacro(ConnectedOnly, bool);
   ///@}
 
-  ///@{
   /**
    * Vertices that the last simplification took away.
    */
   vtkGetMacro(Welded, int);
-  ///@}
 
   /**
    * Number that a point of the last output has in the input, -1 where there is no such point.
    */
   vtkIdType GetInputPoint(vtkIdType point) const;
 
-  ///@{
   /**
    * How many times a mesh has been simplified: executions that the kept result did not answer.
    */
   vtkGetMacro(SimplifyCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSimplify();

@@ -77,12 +77,10 @@ public:
   vtkGetMacro(Refused, int);
   ///@}
 
-  ///@{
   /**
    * How many times a mesh has been smoothed: executions that the kept result did not answer.
    */
   vtkGetMacro(SmoothCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSmooth();

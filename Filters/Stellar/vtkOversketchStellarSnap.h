@@ -134,19 +134,15 @@ public:
   vtkGetMacro(FacesAdded, int);
   ///@}
 
-  ///@{
   /**
    * Vertices of the last snapping that went to feet and their rims, or towards them.
    */
   vtkGetMacro(FootMoved, int);
-  ///@}
 
-  ///@{
   /**
    * How many times a mesh has been snapped: executions that the kept result did not answer.
    */
   vtkGetMacro(SnapCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSnap();

@@ -97,12 +97,10 @@ public:
   vtkGetMacro(Offset, double);
   ///@}
 
-  ///@{
   /**
    * How many terrains have been made: executions that the kept result did not answer.
    */
   vtkGetMacro(TerrainCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchTerrain();

@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace oversketch
@@ -77,6 +80,30 @@ struct Lists
 
 // The places that are marked, ascending.
 std::vector<int> marked(const std::vector<char>& marks);
+
+// 1 at some of so many places, 0 elsewhere.
+inline std::vector<char> marksAt(const std::vector<int>& places, std::size_t count)
+{
+  std::vector<char> marks(count, 0);
+  for (const int place : places)
+  {
+    marks[place] = 1;
+  }
+  return marks;
+}
+
+// The results of a function, or a member, for all values in order.
+template <typename Values, typename Function>
+auto mapped(const Values& values, const Function& function)
+{
+  std::vector<std::decay_t<std::invoke_result_t<Function, decltype(*std::begin(values))>>> results;
+  results.reserve(std::size(values));
+  for (const auto& value : values)
+  {
+    results.push_back(std::invoke(function, value));
+  }
+  return results;
+}
 
 // The values at some places; empty stays empty.
 template <typename Value>

@@ -37,11 +37,8 @@ public:
         "it has to be closed, but leaves the mesh or is hidden in parts. Draw it where all of it is seen, or "
         "turn Bridge and EmbedSegments on.");
     }
-    std::vector<Chain> chains;
-    for (const CurveRun& run : curve.runs)
-    {
-      chains.push_back(this->chainOf(run, *curve.view));
-    }
+    const auto chains =
+      mapped(curve.runs, [&](const CurveRun& run) { return this->chainOf(run, *curve.view); });
     MeshCurve path = this->Rules.embed ? this->embedded(curve, chains) : joinedChains(chains);
     path.closed = curve.closed;
     const std::vector<int> whole = path.vertices;

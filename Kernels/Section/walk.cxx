@@ -406,11 +406,7 @@ Sectioner::Sectioner(const Mesh& mesh, const Adjacency& adjacency, const std::ve
   , Boundary(boundaryEdges(adjacency, boundary))
   , Faces(mesh.triangles.size())
 {
-  std::vector<char> onBoundary(adjacency.edges.size(), 0);
-  for (const int e : this->Boundary)
-  {
-    onBoundary[e] = 1;
-  }
+  std::vector<char> onBoundary = marksAt(this->Boundary, adjacency.edges.size());
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     this->Faces[t].corners = mesh.triangles[t];

@@ -65,12 +65,10 @@ public:
    */
   void PutOnDisc(vtkPolyData* stroke, vtkPolyData* area);
 
-  ///@{
   /**
    * As a prop.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
-  ///@}
 
 protected:
   vtkOversketchAreaSelectRepresentation();
