@@ -30,15 +30,10 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
   inner.Counted = std::nullopt;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]), mesh);
       inner.FeedMesh(mesh);
       inner.RequireMaskKept();

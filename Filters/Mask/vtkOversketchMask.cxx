@@ -104,16 +104,11 @@ int vtkOversketchMask::RequestData(vtkInformation*,
 {
   Inner& inner = this->Kept<Inner>();
   inner.Made->Initialize();
-  return this->RunSystem(
-    [&]
+  return this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* strokes = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       RequireFinite(this->Grow, "Grow");
       const bool isDrawn = strokes && strokes->GetNumberOfPoints() > 0;
       if (!isDrawn && this->Mode != Replace && this->Grow == 0.0 && !this->Invert)

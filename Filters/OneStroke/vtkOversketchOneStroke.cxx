@@ -33,15 +33,10 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   inner.Effect = StrokeEffect();
   inner.Remark = {};
   this->Remeshed = false;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       inner.MixtureRegion->SetReach(this->Reach);
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       if (stroke->GetNumberOfLines() > 1)

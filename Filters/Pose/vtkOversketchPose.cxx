@@ -197,15 +197,10 @@ int vtkOversketchPose::RequestData(vtkInformation*,
   Inner& inner = this->Kept<Inner>();
   inner.Made = nullptr;
   Message remark;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       vtkPolyData* bone = vtkPolyData::GetData(inputs[1]);
       this->PutPosed(mesh, bone, vtkPolyData::GetData(inputs[2]), output);
       inner.Keep(output);

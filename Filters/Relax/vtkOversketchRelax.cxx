@@ -116,15 +116,10 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
 {
   Inner& inner = this->Kept<Inner>();
   inner.Made = nullptr;
-  return this->RunSystem(
-    [&]
+  return this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       RequireFinite(this->Radius, "Radius");
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
       inner.Input.Feed(mesh);

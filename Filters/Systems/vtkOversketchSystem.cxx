@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -230,6 +231,22 @@ int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
     });
   this->Timed = false;
   return result;
+}
+
+int vtkOversketchSystem::RunOnMesh(vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const MeshBody& body)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  return this->RunSystem(
+    [&]
+    {
+      if (mesh->GetNumberOfPoints() > 0)
+      {
+        body(mesh, output);
+      }
+    });
 }
 
 bool vtkOversketchSystem::Try(const std::function<bool()>& body)

@@ -157,6 +157,9 @@ protected:
 
   // The body of a RequestData: times and progress begin anew; see oversketch::RunFilter.
   int RunSystem(const std::function<void()>& body);
+  // The same of a system that makes a mesh of the one on port 0; nothing where that has no points.
+  using MeshBody = std::function<void(vtkPolyData* mesh, vtkPolyData* output)>;
+  int RunOnMesh(vtkInformationVector** inputs, vtkInformationVector* outputs, const MeshBody& body);
   // Says of what the run makes that it is not as drawn, and tells it as a warning; an empty one says nothing.
   void SetRemark(const oversketch::Message& remark);
   // Runs a body outside a run: without an error event. Returns whether body returned true; where it threw,
