@@ -92,6 +92,17 @@ inline std::vector<char> marksAt(const std::vector<int>& places, std::size_t cou
   return marks;
 }
 
+// Where each of so many numbers stands in a list; -1 where it does not.
+inline std::vector<int> placesIn(const std::vector<int>& list, std::size_t count)
+{
+  std::vector<int> places(count, -1);
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    places[list[i]] = static_cast<int>(i);
+  }
+  return places;
+}
+
 // The results of a function, or a member, for all values in order.
 template <typename Values, typename Function>
 auto mapped(const Values& values, const Function& function)

@@ -81,7 +81,7 @@ public:
   void CreateDefaultRepresentation() override;
 
 protected:
-  vtkOversketchAxisHandleWidget();
+  vtkOversketchAxisHandleWidget() = default;
   ~vtkOversketchAxisHandleWidget() override;
 
   bool Grasp(int grip, const int at[2]) override;

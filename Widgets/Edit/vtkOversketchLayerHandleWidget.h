@@ -63,7 +63,7 @@ public:
   void CreateDefaultRepresentation() override;
 
 protected:
-  vtkOversketchLayerHandleWidget();
+  vtkOversketchLayerHandleWidget() = default;
   ~vtkOversketchLayerHandleWidget() override;
 
   bool Grasp(int grip, const int at[2]) override;
