@@ -17,7 +17,6 @@
 #include "vtkPointData.h"
 #include "vtk_jsoncpp.h"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <set>

@@ -3,7 +3,6 @@
 #include "options.h"
 
 #include <cctype>
-#include <cstdio>
 #include <fstream>
 #include <iostream>
 

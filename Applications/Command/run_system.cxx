@@ -25,7 +25,6 @@
 #include <filesystem>
 #include <locale>
 #include <sstream>
-#include <utility>
 #include <vector>
 
 namespace oversketch_command

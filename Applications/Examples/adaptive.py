@@ -4,8 +4,6 @@ refinement; (c), (f) the features.
 
 usage: adaptive.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -71,4 +69,4 @@ for mesh, drawn, colours, view in ((sphere(), ball, (RED, YELLOW), seen(camera((
     sheet.panel(view, [clay(mesh, edges=True), *ropes], crop=(40, 0, 720, 600))
     sheet.panel(view, [clay(system.GetInnerOutput("Refine"), edges=True)], crop=(40, 0, 720, 600))
     sheet.panel(view, [clay(system.GetOutput(), crease=40)], crop=(40, 0, 720, 600))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "adaptive.png")
+sheet.save("adaptive.png")

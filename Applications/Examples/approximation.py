@@ -4,8 +4,6 @@ piece than 0.05 of the canvas, as published; (c) than a fourth of the thickness 
 
 usage: approximation.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import on_paper, system_of, view_of, whole
 from sheet import GREY, RED, Sheet, lines_of
@@ -24,4 +22,4 @@ for fixed, tolerance in ((True, 1.0), (True, 0.05), (False, 0.05)):
     found = [on_paper(line) for line in lines_of(oversketch.update(polyline))]
     sheet.panel(view, [], drawn + [(RED, 2.0, line) for line in found] + [(RED, 7.0, line[i:i + 1]) for line in found for i in range(len(line))],
                 whole(view, 1.05))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "approximation.png")
+sheet.save("approximation.png")

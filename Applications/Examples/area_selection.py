@@ -5,8 +5,6 @@ round it over 0.4 of the disc's radius. Below the same move as (a), (b) and (c) 
 
 usage: area_selection.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from edited import UPRIGHT, disc, edited, flat, greyed, shape, turned
@@ -27,4 +25,4 @@ for system in (whole, levels, dragged):
     sheet.panel(front, greyed(system, system.GetInnerOutput("Retriangulate")))
 for system in (whole, levels, dragged):
     sheet.panel(front, shape(system))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "area_selection.png")
+sheet.save("area_selection.png")

@@ -4,8 +4,6 @@ mesh made finer round them and nowhere else; (c) edges moved onto the curves, bl
 
 usage: augmentation.py [PICTURE.png]
 """
-import sys
-
 from sheet import BLUE, RED, Sheet, clay, lines_of, rope, snapped
 from grown import by_feature, camera, seen, shipped
 
@@ -20,4 +18,4 @@ sheet.panel(side, [clay(system.GetInnerOutput("Refine"), edges=True)])
 snap = system.GetInnerOutput("Smooth")
 sheet.panel(side, [clay(snap, edges=True), *rope(snapped(snap), BLUE, thin)])
 sheet.panel(side, [clay(system.GetOutput(), by_feature(system.GetOutput()), crease=60)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "augmentation.png")
+sheet.save("augmentation.png")

@@ -5,8 +5,6 @@ once; (d) moved and turned about the axis beside it.
 
 usage: axis_handle.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from edited import array, edited, ridden, shape, turned
@@ -28,4 +26,4 @@ rest = edited(NAME, Operations="pin 0.5")
 sheet.panel(view, [clay(rest.GetInputDataObject(0, 0)), *ridden(rest, 0.009)], handle(rest, view))
 for operation in done:
     sheet.panel(view, shape(edited(NAME, Operations=operation)))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "axis_handle.png")
+sheet.save("axis_handle.png")

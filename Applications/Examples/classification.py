@@ -4,8 +4,6 @@ ones, green; (d) areas within areas: lines are the strokes between two of them.
 
 usage: classification.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 import oversketch
@@ -71,4 +69,4 @@ sheet.panel(view, [plate(painted(raster, strokes))])
 sheet.panel(view, [plate(painted(raster, areas))])
 sheet.panel(view, [], inked(system, 4.0))
 sheet.panel(view, [], tree)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "classification.png")
+sheet.save("classification.png")

@@ -4,8 +4,6 @@ at the least, and the spline that they control; (c) the spline on the mesh, samp
 
 usage: control_points.py [PICTURE.png]
 """
-import sys
-
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from edited import dots, edited
@@ -25,4 +23,4 @@ sheet.panel(view, [clay(model)], dots(lines_of(line)[0], RED, 4.0), crop)
 sheet.panel(view, [clay(model)], curve([controls], GREY, 1.5) + curve([spline], RED) + dots(controls, BLUE, 9.0), crop)
 sheet.panel(view, [clay(system.GetInnerOutput("ReferenceInsert"), edges=True)],
             curve([view.pixels(on_mesh)], RED) + dots(view.pixels(on_mesh), BLUE, 9.0), crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "control_points.png")
+sheet.save("control_points.png")

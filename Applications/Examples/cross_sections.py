@@ -4,8 +4,6 @@ that is drawn; (e) circle of half the height; (f) inflated by a Poisson equation
 
 usage: cross_sections.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import system_of, view_of
 from sheet import Sheet, clay
@@ -19,4 +17,4 @@ for profile, height, poisson in (("circle", 1.0, False), ("linear", 1.0, False),
     system.SetPoisson(poisson)
     mesh = oversketch.update(system)
     sheet.panel(view_of(system, 50.0), [clay(mesh)], crop=(180, 320, 520, 390))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "cross_sections.png")
+sheet.save("cross_sections.png")

@@ -4,8 +4,6 @@ with them: even ones.
 
 usage: darts.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, netted, ring, view_of
 from sheet import Sheet
@@ -21,4 +19,4 @@ for mode in (darts.OFF, darts.LOCAL):
     oversketch.update(system)
     for stage in ("CoarseMesh", "Refine"):
         sheet.panel(view_of(system), [netted(system.GetInnerOutput(stage))], inked(system, 2.0))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "darts.png")
+sheet.save("darts.png")

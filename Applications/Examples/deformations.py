@@ -4,22 +4,13 @@ outline was in blue.
 
 usage: deformations.py [PICTURE.png]
 """
-import sys
-
-from oversketch import vtkOversketchOneStroke
-
-from sheet import BLUE, RED, Sheet, View, by_region, clay, curve, lines_of, load
+from sheet import BLUE, RED, Sheet, View, by_region, clay, curve, deformed, lines_of
 
 STROKES = ("dog_curled_tail", "hand_bent_thumb", "octopus_longer_arm", "person_longer_arm")
 
 before, after = [], []
 for name in STROKES:
-    mesh, stroke = load(name)
-    system = vtkOversketchOneStroke()
-    system.SetInputConnection(0, mesh.GetOutputPort())
-    system.SetInputConnection(1, stroke.GetOutputPort())
-    system.SetBackendToHost()
-    system.Update()
+    mesh, stroke, system = deformed(name)
     view = View(stroke.GetOutput())
     pen = curve(lines_of(stroke.GetOutput()), RED)
     was = curve([view.pixels(line) for line in lines_of(system.GetInnerOutput("Match"))], BLUE)
@@ -31,4 +22,4 @@ for name in STROKES:
 sheet = Sheet(columns=len(STROKES))
 for panel in before + after:
     sheet.panel(*panel)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "deformations.png")
+sheet.save("deformations.png")

@@ -4,8 +4,6 @@ silhouette, green: a person's hair is combed up; in the last picture from anothe
 
 usage: displacements.py [PICTURE.png]
 """
-import sys
-
 from sheet import GREEN, RED, Sheet, View, clay, curve, drawn, lines_of
 from grown import camera, seen, shipped
 
@@ -19,4 +17,4 @@ for name, colour, turned, crop in (
     sheet.panel(view, [clay(system.GetInputDataObject(0, 0))], curve(lines_of(stroke), colour), crop)
     sheet.panel(view, [clay(system.GetOutput(), crease=60)], crop=crop)
     sheet.panel(seen(turned), [clay(system.GetOutput(), crease=60)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "displacements.png")
+sheet.save("displacements.png")

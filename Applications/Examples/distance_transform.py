@@ -4,8 +4,6 @@ fish is, its distance at the ridges, smoothed over the inside: what heights are 
 
 usage: distance_transform.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 import oversketch
@@ -26,4 +24,4 @@ view, sheet = view_of(system), Sheet(columns=3, size=(480, 360))
 rim = [((0.35, 0.35, 0.40), 1.5, on_paper(lines_of(system.GetInnerOutput("Treatment"))[0]))]
 for picture in pictures:
     sheet.panel(view, [plate(painted(raster, picture))], rim, whole(view, 1.05))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "distance_transform.png")
+sheet.save("distance_transform.png")

@@ -4,8 +4,6 @@ inflated: the same edges, ready for another tool to pull at.
 
 usage: features.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, netted, picture_of, plate, ridden, system_of, view_of
 from sheet import Sheet, textured
@@ -18,4 +16,4 @@ sheet.panel(front, [plate(picture)], inked(system, 3.0), crop)
 sheet.panel(front, [netted(system.GetInnerOutput("Refine"))], inked(system, 2.5), crop)
 sheet.panel(side, [netted(mesh), *ridden(system)], crop=crop)
 sheet.panel(side, [textured(mesh, picture), *ridden(system)], crop=crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "features.png")
+sheet.save("features.png")

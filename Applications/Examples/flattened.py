@@ -4,8 +4,6 @@ that it has of the region; (c) with the default texture of five grey levels; (d)
 
 usage: flattened.py [PICTURE.png]
 """
-import sys
-
 from edited import UPRIGHT, disc, edited, greyed, ridden, weighed
 from sheet import Sheet, View, clay, drawn
 
@@ -15,4 +13,4 @@ sheet.panel(view, [clay(weighed(system), edges=True), *ridden(system, 0.007)], c
 sheet.panel(UPRIGHT, disc(system, edges=True))
 sheet.panel(UPRIGHT, disc(system))
 sheet.panel(view, greyed(system), crop=CROP)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "flattened.png")
+sheet.save("flattened.png")

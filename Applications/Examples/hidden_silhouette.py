@@ -3,21 +3,12 @@
 
 usage: hidden_silhouette.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from oversketch import vtkOversketchOneStroke
+from sheet import BLUE, RED, Sheet, View, clay, curve, deformed, lines_of
 
-from sheet import BLUE, RED, Sheet, View, clay, curve, lines_of, load
-
-mesh, stroke = load("dinosaur_raised_neck")
-system = vtkOversketchOneStroke()
-system.SetInputConnection(0, mesh.GetOutputPort())
-system.SetInputConnection(1, stroke.GetOutputPort())
-system.SetBackendToHost()
-system.Update()
+mesh, stroke, system = deformed("dinosaur_raised_neck")
 
 model, view = mesh.GetOutput(), View(stroke.GetOutput())
 whole, parted = system.GetInnerOutput("Snake"), system.GetInnerOutput("Visibility")
@@ -40,4 +31,4 @@ sheet.panel(view, [clay(model)])
 for curves in (whole, parted):
     blue = curve([view.pixels(line) for line in lines_of(curves)], BLUE, 2.0)
     sheet.panel(view, [], blue + (curve(circles, RED, 1.5) if curves is parted else []))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "hidden_silhouette.png")
+sheet.save("hidden_silhouette.png")

@@ -4,8 +4,6 @@
 
 usage: holes_and_tunnels.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, picture_of, plate, ring, system_of, view_of, whole
 from sheet import Sheet, clay, textured
@@ -30,4 +28,4 @@ for kind in ("Holes", "Tunnels"):
     getattr(mug, "Set" + kind)("1")
     oversketch.update(mug)
     sheet.panel(view_of(mug, 25.0), [textured(mug.GetOutput(), picture)], crop=whole(front, 1.05))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "holes_and_tunnels.png")
+sheet.save("holes_and_tunnels.png")

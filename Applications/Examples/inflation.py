@@ -4,8 +4,6 @@ its picture on it; (d) an outline with a keyhole and a shackle; (e), (f) extrude
 
 usage: inflation.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, picture_of, plate, system_of, view_of, whole
 from sheet import Sheet, textured
@@ -22,4 +20,4 @@ def panels(sheet, system, turns):
 page = Sheet(columns=3)
 panels(page, system_of("fish"), (-40.0, 55.0))
 panels(page, system_of("padlock", ExtrudeDepth=60.0), (-40.0, 30.0))
-page.save(sys.argv[1] if len(sys.argv) > 1 else "inflation.png")
+page.save("inflation.png")

@@ -5,8 +5,6 @@ takes the whole line along; (b) with a neighbour on one side it ends there, on t
 
 usage: influence.py [PICTURE.png]
 """
-import sys
-
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from edited import array, edited, ridden, shape, turned
@@ -38,4 +36,4 @@ for system in systems:
     sheet.panel(above, [clay(system.GetInputDataObject(0, 0)), *ridden(system, 0.008), *balls(system)])
 for system in systems:
     sheet.panel(view, shape(system))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "influence.png")
+sheet.save("influence.png")

@@ -4,8 +4,6 @@ spines along a dinosaur's back.
 
 usage: inward_outward.py [PICTURE.png]
 """
-import sys
-
 from sheet import RED, YELLOW, Sheet, clay, lines_of, rope
 from grown import camera, seen, shipped
 
@@ -16,4 +14,4 @@ for name, colour, view in (("hand_palm_lines", YELLOW, seen(camera((-0.08, 0.22,
     mesh = system.GetInputDataObject(0, 0)
     sheet.panel(view, [clay(mesh), *rope(lines_of(system.GetInnerOutput("Curves")), colour, 0.0025 * mesh.GetLength())])
     sheet.panel(view, [clay(system.GetOutput(), crease=50)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "inward_outward.png")
+sheet.save("inward_outward.png")

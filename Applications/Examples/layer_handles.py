@@ -5,8 +5,6 @@ Below what the same move makes.
 
 usage: layer_handles.py [PICTURE.png]
 """
-import sys
-
 from edited import UPRIGHT, disc, dots, edited, on_disc, shape, text_of, turned
 from sheet import ORANGE, Sheet
 
@@ -24,4 +22,4 @@ for system, handles in zip(systems, HANDLES):
     sheet.panel(UPRIGHT, disc(system), marks)
 for system in systems:
     sheet.panel(side, shape(system))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "layer_handles.png")
+sheet.save("layer_handles.png")

@@ -4,8 +4,6 @@ mesh's edges, and the region between them in its greys.
 
 usage: line_and_ring.py [PICTURE.png]
 """
-import sys
-
 from edited import edited, greyed, ridden
 from sheet import BLUE, RED, Sheet, View, clay, curve, drawn, lines_of
 
@@ -18,4 +16,4 @@ sheet = Sheet(columns=3, size=(520, 390))
 sheet.panel(view, [clay(model)], red, crop)
 sheet.panel(view, [clay(model)], red + blue, crop)
 sheet.panel(view, [*greyed(system, edges=True), *ridden(system, 0.006)], crop=crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "line_and_ring.png")
+sheet.save("line_and_ring.png")

@@ -4,8 +4,6 @@ blue; (c), (d) nearer by.
 
 usage: magnetic_pen.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -36,4 +34,4 @@ sheet = Sheet(columns=2, size=(480, 360))
 for crop, width in (((60, 520, 640, 480), 3.0), ((120, 780, 240, 180), 4.0)):
     sheet.panel(view, [plate(tinted)], [(RED, width, line) for line in drawn], crop)
     sheet.panel(view, [plate(picture)], [(BLUE, width, line) for line in snapped], crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "magnetic_pen.png")
+sheet.save("magnetic_pen.png")

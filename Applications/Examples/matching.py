@@ -4,21 +4,12 @@
 
 usage: matching.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from oversketch import vtkOversketchOneStroke
+from sheet import BLUE, GREY, RED, Sheet, View, clay, curve, deformed, lines_of
 
-from sheet import BLUE, GREY, RED, Sheet, View, clay, curve, lines_of, load
-
-mesh, stroke = load("dog_curled_tail")
-system = vtkOversketchOneStroke()
-system.SetInputConnection(0, mesh.GetOutputPort())
-system.SetInputConnection(1, stroke.GetOutputPort())
-system.SetBackendToHost()
-system.Update()
+mesh, stroke, system = deformed("dog_curled_tail")
 
 view = View(stroke.GetOutput())
 targets = system.GetInnerOutput("Targets")
@@ -34,4 +25,4 @@ crop = (60, 320, 320, 240)
 sheet = Sheet(columns=2, size=(600, 450))
 for ends in (nearest, goals):
     sheet.panel(view, [clay(mesh.GetOutput())], curve(np.stack([handles, ends], axis=1), GREY, 1.5) + blue + red, crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "matching.png")
+sheet.save("matching.png")

@@ -5,8 +5,6 @@ with the magnetic pen, a leaf of quads, a padlock that is extruded, a gnome put 
 usage: models.py [PICTURE.png]
 """
 import json
-import sys
-
 import numpy as np
 
 import oversketch
@@ -47,4 +45,4 @@ for name, turn, parameters in (("fish", -35.0, {}), ("mug", 30.0, {}), ("heron",
 placed = json.loads((DATA / "Drawings" / "figure.json").read_text())["parts"]
 gnome = [(system_of(part["strokes"].removesuffix(".vtp")), [row[3] for row in part["placement"][:3]]) for part in placed]
 panels(gnome, 30.0, (-510, -20, 1720, 1290), [(0.0, 0.0, 0.0), (680.0, 30.0, 0.0), (1230.0, 60.0, 0.0)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "models.png")
+sheet.save("models.png")

@@ -4,8 +4,6 @@ another side.
 
 usage: new_silhouettes.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from sheet import GREEN, Sheet, clay, curve
@@ -25,4 +23,4 @@ for mesh, lines, radius, from_front, turned in (
     sheet.panel(view, [clay(mesh)], curve(pens, GREEN))
     sheet.panel(view, [clay(system.GetOutput(), crease=50)])
     sheet.panel(seen(turned), [clay(system.GetOutput(), crease=50)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "new_silhouettes.png")
+sheet.save("new_silhouettes.png")

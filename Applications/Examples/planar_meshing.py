@@ -4,8 +4,6 @@ vertices, and of points thrown between them; edges on strokes in their colours.
 
 usage: planar_meshing.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, netted, on_paper, system_of, view_of, whole
 from sheet import GREY, Sheet, lines_of
@@ -18,4 +16,4 @@ pieces = inked(system, 2.5, "Polyline")
 dots = [(colour, 8.0, line[i:i + 1]) for colour, _, line in pieces for i in range(len(line))]
 sheet.panel(view, [], drawn + pieces + dots, whole(view, 1.05))
 sheet.panel(view, [netted(system.GetInnerOutput("CoarseMesh"))], pieces, whole(view, 1.05))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "planar_meshing.png")
+sheet.save("planar_meshing.png")

@@ -5,8 +5,6 @@ again: black as drawn, coloured as it is.
 
 usage: profile.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -53,4 +51,4 @@ sheet.panel(window, [*old, *black])
 sheet.panel(view, shape(system))
 sheet.panel(view, shape(system, edges=True))
 sheet.panel(window, [*graded(recut(system), 0.016), *black])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "profile.png")
+sheet.save("profile.png")

@@ -5,8 +5,6 @@ lengthwise stands the t-plane, green, along the surface lies the n-plane, blue; 
 
 usage: profile_planes.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
@@ -56,4 +54,4 @@ model, view, sheet = middle.GetInputDataObject(0, 0), turned((0.9, 0.75, 1.0), (
 for shown in ([*sheets(middle, (0, 1, 2)), *section(middle)], [*sheets(slid, (2,)), *section(slid)],
               [actor for share in (0.0, 0.25, 0.5, 0.75, 1.0) for actor in section(cut_at(share))]):
     sheet.panel(view, [clay(model), *ridden(middle, 0.009), *shown])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "profile_planes.png")
+sheet.save("profile_planes.png")

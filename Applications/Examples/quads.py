@@ -4,8 +4,6 @@ Catmull and Clark.
 
 usage: quads.py [PICTURE.png]
 """
-import sys
-
 import oversketch
 from inflated import inked, netted, system_of, view_of, whole
 from sheet import Sheet
@@ -17,4 +15,4 @@ for quads in (False, True):
     front = view_of(system)
     sheet.panel(front, [netted(system.GetInnerOutput("Refine"))], inked(system, 1.5), whole(front, 1.02))
     sheet.panel(view_of(system, 30.0), [netted(system.GetOutput())], crop=whole(front, 0.9))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "quads.png")
+sheet.save("quads.png")

@@ -4,8 +4,6 @@ refinement makes of them: finer there, each step of size between two generations
 
 usage: refinement.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -30,4 +28,4 @@ def near(mesh):
 sheet = Sheet(columns=2, size=(600, 600))
 for mesh in (system.GetInnerOutput("Base"), system.GetInnerOutput("Refine")):
     sheet.panel(seen(above), [clay(mesh, near(mesh), edges=True), *rope(curves, RED, 0.004)], crop=(100, 0, 600, 600))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "refinement.png")
+sheet.save("refinement.png")

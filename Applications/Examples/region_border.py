@@ -4,22 +4,14 @@ here), notches are filled (green).
 
 usage: region_border.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from oversketch import vtkOversketchOneStroke, vtkOversketchRegionBorder
+from oversketch import vtkOversketchRegionBorder
 
-from sheet import CLAY, GREEN, ORANGE, RED, Sheet, View, clay, load
+from sheet import CLAY, GREEN, ORANGE, RED, Sheet, View, clay, deformed
 
-mesh, stroke = load("dog_longer_leg")
-system = vtkOversketchOneStroke()
-system.SetInputConnection(0, mesh.GetOutputPort())
-system.SetInputConnection(1, stroke.GetOutputPort())
-system.SetBackendToHost()
-system.SetAsPublished(True)  # the border as the mixtures leave it, ragged
-system.Update()
+mesh, stroke, system = deformed("dog_longer_leg", AsPublished=True)  # the border as the mixtures leave it, ragged
 border = vtkOversketchRegionBorder()
 border.SetInputData(system.GetInnerOutput("MixtureRegion"))
 border.Update()
@@ -38,4 +30,4 @@ crop = (440, 220, 96, 72)
 sheet = Sheet(columns=2, size=(600, 450))
 sheet.panel(view, [clay(mesh.GetOutput(), np.where(before, ORANGE, CLAY), edges=True)], crop=crop)
 sheet.panel(view, [clay(mesh.GetOutput(), colours, edges=True)], crop=crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "region_border.png")
+sheet.save("region_border.png")

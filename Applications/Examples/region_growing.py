@@ -4,14 +4,10 @@ away from the view of the stroke, to show the seeds.
 
 usage: region_growing.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from oversketch import vtkOversketchOneStroke
-
-from sheet import BLUE, PURPLE, RED, Sheet, View, by_region, clay, lines_of, load, rope
+from sheet import BLUE, PURPLE, RED, Sheet, View, by_region, clay, deformed, lines_of, rope
 
 sheet = Sheet(columns=3)
 SHOWN = (  # stroke, turn [degrees], part of the picture [px]
@@ -20,16 +16,11 @@ SHOWN = (  # stroke, turn [degrees], part of the picture [px]
     ("dog_curled_tail", -40, (170, 350, 240, 180)),
 )
 for name, turn, crop in SHOWN:
-    mesh, stroke = load(name)
-    system = vtkOversketchOneStroke()
-    system.SetInputConnection(0, mesh.GetOutputPort())
-    system.SetInputConnection(1, stroke.GetOutputPort())
-    system.SetBackendToHost()
-    system.Update()
+    mesh, stroke, system = deformed(name)
     grown = system.GetInnerOutput("MixtureRegion")
     seeds = vtk_to_numpy(grown.GetPointData().GetArray("RegionSeed"))[:, None] > 0
     model = mesh.GetOutput()
     view = View(stroke.GetOutput(), turn=turn, middle=model.GetCenter())
     section = rope(lines_of(system.GetInnerOutput("Match")), RED, 0.0012 * model.GetLength())
     sheet.panel(view, [clay(grown, np.where(seeds, BLUE, by_region(grown, PURPLE))), *section], crop=crop)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "region_growing.png")
+sheet.save("region_growing.png")

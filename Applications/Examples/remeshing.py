@@ -4,8 +4,6 @@
 
 usage: remeshing.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -40,4 +38,4 @@ sheet = Sheet(columns=3, size=(520, 390))
 sheet.panel(view, [clay(mesh.GetOutput())], pen)
 for data in (on.GetInnerOutput("RegionBorder"), on.GetInnerOutput("Stretch"), deformed, on.GetInnerOutput("Restore"), off.GetInnerOutput("Deform")):
     sheet.panel(view, [net(data)], crop=(370, 20, 320, 240))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "remeshing.png")
+sheet.save("remeshing.png")

@@ -5,8 +5,6 @@ drawn, (d) as it is.
 
 usage: resketching.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from edited import array, at_rest, edit, redrawn
@@ -28,4 +26,4 @@ sheet.panel(view, [clay(model)], curve([view.pixels(at_rest(before)[0])], RED) +
 sheet.panel(view, [clay(model)], curve([places], RED) + curve(old, BLUE, 3.4), CROP)
 sheet.panel(view, [clay(before.GetOutput())], crop=CROP)
 sheet.panel(view, [clay(after.GetOutput())], crop=CROP)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "resketching.png")
+sheet.save("resketching.png")

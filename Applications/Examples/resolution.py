@@ -4,8 +4,6 @@ that lies on the curve, red, is split there, so the finer edges, blue, follow it
 
 usage: resolution.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 import oversketch
@@ -32,4 +30,4 @@ for length in (None, 0.04, 0.02):
         refine.SetTargetEdgeLength(length)
         mesh = oversketch.update(refine)
     sheet.panel(view, [clay(mesh, edges=True), *rope(snapped(mesh), BLUE, 0.003)], curve(line, RED, 2.0), crop=(150, 30, 500, 500))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "resolution.png")
+sheet.save("resolution.png")

@@ -4,11 +4,9 @@ that, by the same line and ring, turned about the axis beside it: a crooked horn
 
 usage: rotated_and_extruded.py [PICTURE.png]
 """
-import sys
-
 from edited import edited, further, in_three, turned
 
 first = edited("octopus_mantle", Operations="move 0.5 n 0.3; scale 0.5 t 0.5", Layers="handle 0.5 0.4")
 second = further(first, Operations="move 0.5 n 0.2; rotate 0.5 w 40", Layers="handle 0.5 0.35")
 sheet = in_three(turned((1.0, 0.35, 0.8), (0.0, 1.0, 0.05), 1.7), first, second)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "rotated_and_extruded.png")
+sheet.save("rotated_and_extruded.png")

@@ -5,8 +5,6 @@ ridges; (d), (e), (f) their triangles.
 
 usage: rotated_and_resketched.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from edited import edited, flat, further, in_three, turned
@@ -16,4 +14,4 @@ HEIGHTS = (0.0, 0.2, 0.42, 0.55, 0.48, 0.36, 0.48, 0.55, 0.42, 0.2, 0.0)
 first = edited("dinosaur_crest", Operations="move 0.5 n 0.08; rotate 0.5 w -9")
 second = further(first, ProfileData=flat(rounded(np.c_[np.linspace(0.0, 1.0, len(HEIGHTS)), HEIGHTS])))
 sheet = in_three(turned((1.0, 0.75, 0.9), (0.0, 1.25, 0.0), 1.2), first, second)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "rotated_and_resketched.png")
+sheet.save("rotated_and_resketched.png")

@@ -5,8 +5,6 @@ line.
 
 usage: shadings.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -39,4 +37,4 @@ above, beside = turned((0.0, 1.0, 0.8), middle, 0.95), turned((0.9, 0.55, 1.0), 
 for view, actors in ((above, greyed), (beside, shape), (beside, lambda system: shape(system, edges=True))):
     for system in systems:
         sheet.panel(view, actors(system))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "shadings.png")
+sheet.save("shadings.png")

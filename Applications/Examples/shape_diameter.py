@@ -4,8 +4,6 @@ vertex, to where they leave the model again; (b) the value at every vertex, thin
 
 usage: shape_diameter.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import mutable
@@ -54,4 +52,4 @@ sheet = Sheet(columns=2, size=(600, 450))
 rays = curve([[places[0], end] for end in places[1:]], PURPLE, 2.0)
 sheet.panel(view, [clay(model)], rays + curve(dots[1:], MAGENTA, 8.0) + curve(dots[:1], GREEN, 10.0), (200, 180, 280, 210))
 sheet.panel(view, [clay(model, by_value((values - low) / (high - low)))])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "shape_diameter.png")
+sheet.save("shape_diameter.png")

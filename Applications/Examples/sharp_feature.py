@@ -4,8 +4,6 @@ lie along the curve the crest is a saw, of vertices that happen to be near it.
 
 usage: sharp_feature.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 import oversketch
@@ -29,4 +27,4 @@ slanted = seen(camera((0, 0.0, 0.02), (0.25, -1.0, 0.85), 0.72, (0, 0, 1)))
 for before, after in ((system.GetInnerOutput("Refine"), oversketch.update(rough)), (system.GetInnerOutput("Smooth"), system.GetOutput())):
     sheet.panel(slanted, [clay(before, edges=True), *rope(lines_of(curves), RED, 0.003)], crop=(0, 25, 800, 550))
     sheet.panel(slanted, [clay(after, crease=35)], crop=(0, 25, 800, 550))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "sharp_feature.png")
+sheet.save("sharp_feature.png")

@@ -4,8 +4,6 @@
 
 usage: sharpness.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from sheet import ORANGE, RED, GREY, Sheet, clay, curve
@@ -29,4 +27,4 @@ for sharpness in (0.3, 1.5):
     profile = np.c_[400 + 300 * x, 150 + 300 * (1.0 - np.abs(x)) ** sharpness]
     sheet.panel(turned, [], curve([[(60, 150), (740, 150)], [(400, 120), (400, 500)]], GREY, 1.5) + curve([profile], ORANGE, 4.0),
                 crop=(70, 0, 660, 600))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "sharpness.png")
+sheet.save("sharpness.png")

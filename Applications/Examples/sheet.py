@@ -1,6 +1,7 @@
 """Sheets of panels in the colours of the paper's figures: stroke red, silhouette blue, region orange. The examples in this folder draw
 with it; it needs a display (xvfb-run -a makes one)."""
 import pathlib
+import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -24,6 +25,8 @@ from vtkmodules.vtkRenderingCore import (
 import vtkmodules.vtkRenderingFreeType  # noqa: F401  (letters)
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (the rendering backend)
 
+from oversketch import vtkOversketchOneStroke
+
 DATA = pathlib.Path(__file__).resolve().parents[2] / "Data"
 CLAY, RED, BLUE, ORANGE = (0.86, 0.86, 0.87), (0.85, 0.10, 0.12), (0.13, 0.33, 0.80), (1.00, 0.66, 0.26)
 PURPLE, GREEN, MAGENTA, GREY = (0.64, 0.44, 0.82), (0.30, 0.78, 0.45), (0.84, 0.10, 0.62), (0.55, 0.55, 0.58)
@@ -44,6 +47,19 @@ def load(stroke):
     mesh.SetFileName(str(DATA / "Models" / (stroke.split("_")[0] + ".ply")))
     mesh.Update()
     return mesh, drawn(stroke)
+
+
+def deformed(stroke, **settings):
+    """The same two, and the system that has deformed the model by the stroke, by its settings (AsPublished=True)."""
+    mesh, pen = load(stroke)
+    system = vtkOversketchOneStroke()
+    system.SetInputConnection(0, mesh.GetOutputPort())
+    system.SetInputConnection(1, pen.GetOutputPort())
+    system.SetBackendToHost()
+    for name, value in settings.items():
+        getattr(system, "Set" + name)(value)
+    system.Update()
+    return mesh, pen, system
 
 
 class View:
@@ -284,8 +300,9 @@ class Sheet:
         image.GetPointData().SetScalars(scalars)
         return image
 
-    def save(self, path):
+    def save(self, name):
+        """Writes the picture that the command line names, else one of that name."""
         writer = vtkPNGWriter()
-        writer.SetFileName(str(path))
+        writer.SetFileName(sys.argv[1] if len(sys.argv) > 1 else name)
         writer.SetInputData(self.image())
         writer.Write()

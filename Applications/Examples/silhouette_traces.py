@@ -4,8 +4,6 @@ black ones; the trace, magenta, crosses each edge between the two where the norm
 
 usage: silhouette_traces.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
@@ -48,4 +46,4 @@ sheet = Sheet(columns=2, size=(600, 450))
 sheet.panel(turned, [clay(model), *rope(lines, MAGENTA, 0.003 * model.GetLength())])
 close = (290, 352, 48, 36)
 sheet.panel(turned, [clay(model, edges=True), *rope(lines, MAGENTA, 0.0005 * model.GetLength())], dots(close), close)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "silhouette_traces.png")
+sheet.save("silhouette_traces.png")

@@ -4,8 +4,6 @@ edges, to the nearest crossing that no other vertex is better for: white to blue
 
 usage: snapping.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -49,4 +47,4 @@ sheet.panel(view, [clay(before, edges=True)], curve(dashes, RED, 2.0) + curve(cr
 sheet.panel(view, [clay(after, edges=True)], curve([view.pixels(edge) for edge in snapped(after)], BLUE, 3.0) + curve(ways, (0.2, 0.2, 0.2), 2.0) +
             curve([here[i][None] for i in moved], (0.2, 0.2, 0.2), 9.0) + curve([here[i][None] for i in moved], (1, 1, 1), 6.0) +
             curve([there[i][None] for i in moved], BLUE, 9.0))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "snapping.png")
+sheet.save("snapping.png")

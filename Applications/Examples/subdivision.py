@@ -4,8 +4,6 @@ points of edges on strokes snapped onto them.
 
 usage: subdivision.py [PICTURE.png]
 """
-import sys
-
 from vtkmodules.vtkFiltersModeling import vtkLoopSubdivisionFilter
 
 import oversketch
@@ -21,4 +19,4 @@ loop.Update()
 sheet = Sheet(columns=3, size=(480, 360))
 for mesh in (coarse, loop.GetOutput(), system.GetInnerOutput("Refine")):
     sheet.panel(view_of(system), [netted(mesh)], inked(system, 2.0), crop=(680, 60, 344, 258))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "subdivision.png")
+sheet.save("subdivision.png")

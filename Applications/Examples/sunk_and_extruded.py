@@ -4,11 +4,9 @@ same line and layers that were dragged in, a wall is drawn; (d), (e), (f) their 
 
 usage: sunk_and_extruded.py [PICTURE.png]
 """
-import sys
-
 from edited import edited, further, in_three, turned
 
 first = edited("hand_palm", Operations="move 0.5 n -0.14", Layers="handle 0.5 0.75")
 second = further(first, Operations="move 0.5 n 0.2", Layers="handle 0.5 0.3")
 sheet = in_three(turned((0.75, 0.35, 1.0), (0.02, -0.02, 0.05), 1.15), first, second)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "sunk_and_extruded.png")
+sheet.save("sunk_and_extruded.png")

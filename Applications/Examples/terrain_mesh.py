@@ -4,8 +4,6 @@ a ridge, red; below the 4-8 mesh that was made of it directly, augmented; (b), (
 
 usage: terrain_mesh.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -49,4 +47,4 @@ for view in (View(pens), near):
     sheet.panel(view, [clay(mesh, edges=True), *rope(lines[:1], YELLOW, 0.7), *rope(lines[1:], RED, 0.7)])
 for view in (View(pens), near):
     sheet.panel(view, [clay(result, crease=60)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "terrain_mesh.png")
+sheet.save("terrain_mesh.png")

@@ -4,8 +4,6 @@ ridge and a road, red; (c) refined round them; (d) the features.
 
 usage: terrain_pipeline.py [PICTURE.png]
 """
-import sys
-
 from sheet import RED, YELLOW, Sheet, View, clay, drawn, lines_of, rope
 from grown import heights, plate, shipped
 
@@ -18,4 +16,4 @@ sheet.panel(*plate(heights()))
 sheet.panel(view, [clay(system.GetInnerOutput("Base"), edges=True), *rope(lines[:1], YELLOW, 0.7), *rope(lines[1:], RED, 0.7)])
 sheet.panel(view, [clay(system.GetInnerOutput("Refine"), edges=True)])
 sheet.panel(view, [clay(system.GetOutput(), crease=60)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "terrain_pipeline.png")
+sheet.save("terrain_pipeline.png")

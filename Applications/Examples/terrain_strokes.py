@@ -4,8 +4,6 @@ in and red where it raises; (e) all three; (f) the mesh: each stroke made finer 
 
 usage: terrain_strokes.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 from sheet import RED, YELLOW, Sheet, clay, curve
@@ -28,4 +26,4 @@ for height, radius, sharpness, line in STROKES:
     mesh = augmented(mesh, strokes([pen], by), Height=height, Radius=radius, Sharpness=sharpness).GetOutput()
 sheet.panel(view, [clay(mesh, crease=60)])
 sheet.panel(view, [clay(mesh, edges=True)])
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "terrain_strokes.png")
+sheet.save("terrain_strokes.png")

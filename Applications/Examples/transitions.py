@@ -5,8 +5,6 @@ between is of closest places, and a bulge is lost.
 
 usage: transitions.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 
 import oversketch
@@ -41,4 +39,4 @@ for new, middle in ((bow(0.38, 0.62, 55.0, 22.0), 0), (bow(-0.06, 0.35, 40.0, 18
     lines = [rope([np.c_[line, np.full(len(line), 10.0 * level)]], colour, radius)[0] for level, (line, colour, radius) in
              enumerate(((old, GREY, 5.0), (new, GREEN, 4.0), (blend, RED, 1.6)))]
     sheet.panel(view, lines + [dotted((*place, 30.0), BLUE, 6.0) for place in ends], crop=(60, 165, 680, 340))
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "transitions.png")
+sheet.save("transitions.png")

@@ -7,8 +7,6 @@ region, by the two Gaussian mixtures; (g) the region; (h) the result.
 
 usage: working_procedure.py [PICTURE.png]
 """
-import sys
-
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -51,4 +49,4 @@ sheet.panel(front, [clay(model, by_value((thickness - low) / (high - low)))])
 sheet.panel(front, [clay(model, by_value(probability))])
 sheet.panel(front, [clay(model, by_region(inner("RegionBorder")))], section)
 sheet.panel(front, [clay(system.GetOutput())], pen)
-sheet.save(sys.argv[1] if len(sys.argv) > 1 else "working_procedure.png")
+sheet.save("working_procedure.png")

@@ -16,7 +16,6 @@
 #include <cctype>
 #include <limits>
 #include <map>
-#include <vector>
 
 namespace oversketch_files
 {

@@ -30,15 +30,10 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
   Pipeline& inner = *this->Inner;
   inner.Made = nullptr;
   inner.Counted = std::nullopt;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]), mesh);
       inner.FeedMesh(mesh);
       inner.RequireMaskKept();
@@ -59,30 +54,21 @@ int vtkOversketchAugment::RequestData(vtkInformation*,
 
 bool vtkOversketchAugment::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
       this->Inner->FeedMesh(mesh);
       this->Inner->FeedPass(0);
       this->Inner->RunBase(this->Inner->Mesh);
       this->Inner->PrepareRays();
-      return true;
     });
 }
 
 bool vtkOversketchAugment::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
       this->Inner->FeedMesh(mesh);

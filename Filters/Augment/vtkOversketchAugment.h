@@ -235,9 +235,6 @@ protected:
   void BackendChanged() override;
 
 private:
-  vtkOversketchAugment(const vtkOversketchAugment&) = delete;
-  void operator=(const vtkOversketchAugment&) = delete;
-
   int Base = Direct, SketchMode = Surface, Combine = Nearest, Distance = Straight;
   double Radius = -1.0, Height = 0.0, Sharpness = 1.5, Taper = 0.0, TargetEdgeLength = 0.0;
   bool UsePressure = false, OneByOne = false, Simplify = true, AsPublished = false;

@@ -7,10 +7,6 @@ static_assert(int(vtkOversketchBackendFilter::Auto) == int(oversketch::Backend::
                 int(vtkOversketchBackendFilter::Host) == int(oversketch::Backend::Host),
   "the filters' numbers are the kernels'");
 
-vtkOversketchBackendFilter::vtkOversketchBackendFilter() = default;
-
-vtkOversketchBackendFilter::~vtkOversketchBackendFilter() = default;
-
 void vtkOversketchBackendFilter::SetBackend(int backend)
 {
   backend = std::clamp<int>(backend, Auto, Host);

@@ -52,8 +52,8 @@ public:
   static const char* GetBackendWord(int backend);
 
 protected:
-  vtkOversketchBackendFilter();
-  ~vtkOversketchBackendFilter() override;
+  vtkOversketchBackendFilter() = default;
+  ~vtkOversketchBackendFilter() override = default;
 
   // After a new choice.
   virtual void BackendChanged() {}
@@ -63,9 +63,6 @@ protected:
   void UsedBackend(oversketch::Backend used) { this->BackendUsed = static_cast<int>(used); }
 
 private:
-  vtkOversketchBackendFilter(const vtkOversketchBackendFilter&) = delete;
-  void operator=(const vtkOversketchBackendFilter&) = delete;
-
   int Backend = Auto;
   int BackendUsed = Auto;
 };

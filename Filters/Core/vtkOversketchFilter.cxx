@@ -5,10 +5,6 @@
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 
-vtkOversketchFilter::vtkOversketchFilter() = default;
-
-vtkOversketchFilter::~vtkOversketchFilter() = default;
-
 int vtkOversketchFilter::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

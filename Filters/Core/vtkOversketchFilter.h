@@ -14,14 +14,18 @@
 #include "OversketchFiltersCoreModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <map>
+#include <memory>
+#include <typeindex>
+
 class OVERSKETCHFILTERSCORE_EXPORT vtkOversketchFilter : public vtkPolyDataAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkOversketchFilter, vtkPolyDataAlgorithm);
 
 protected:
-  vtkOversketchFilter();
-  ~vtkOversketchFilter() override;
+  vtkOversketchFilter() = default;
+  ~vtkOversketchFilter() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -30,9 +34,22 @@ protected:
    */
   virtual void Execute(vtkInformationVector**, vtkInformationVector*) {}
 
+  /**
+   * What a filter keeps from run to run, one of each type; made when it is first asked for.
+   */
+  template <typename State>
+  State& Kept() const
+  {
+    std::shared_ptr<void>& state = this->States[typeid(State)];
+    if (!state)
+    {
+      state = std::make_shared<State>();
+    }
+    return *static_cast<State*>(state.get());
+  }
+
 private:
-  vtkOversketchFilter(const vtkOversketchFilter&) = delete;
-  void operator=(const vtkOversketchFilter&) = delete;
+  mutable std::map<std::type_index, std::shared_ptr<void>> States;
 };
 
 #endif

@@ -531,10 +531,12 @@ MeshKey WholeKey(vtkPolyData* data)
   return MeshKey(data, arrays);
 }
 
-std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes)
+std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes, const std::vector<const char*>& others)
 {
+  std::vector<const char*> names{ "ViewTransform", "ProjectionTransform", "ViewportSize" };
+  names.insert(names.end(), others.begin(), others.end());
   std::vector<vtkDataArray*> arrays;
-  for (const char* name : { "ViewTransform", "ProjectionTransform", "ViewportSize" })
+  for (const char* name : names)
   {
     vtkDataArray* array = strokes->GetCellData()->GetArray(name);
     if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())

@@ -200,9 +200,10 @@ private:
 OVERSKETCHFILTERSCORE_EXPORT MeshKey WholeKey(vtkPolyData* data);
 
 /**
- * The cell arrays that a view is read from, those that are there and have the right length.
+ * The cell arrays that a view is read from, and others, those that are there and have the right length.
  */
-OVERSKETCHFILTERSCORE_EXPORT std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes);
+OVERSKETCHFILTERSCORE_EXPORT std::vector<vtkDataArray*> ViewArraysOf(vtkPolyData* strokes,
+  const std::vector<const char*>& others = {});
 
 /**
  * The view of one stroke, see ViewOf; strokes of one polydata may carry different ones. Names the stroke in

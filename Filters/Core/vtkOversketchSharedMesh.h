@@ -35,9 +35,6 @@ OVERSKETCHFILTERSCORE_EXPORT std::shared_ptr<const MeshData> SharedMesh(vtkPolyD
 class OVERSKETCHFILTERSCORE_EXPORT MeshData
 {
 public:
-  MeshData(const MeshData&) = delete;
-  void operator=(const MeshData&) = delete;
-
   /**
    * See MeshOf.
    */

@@ -38,8 +38,6 @@ public:
 
   StepRunner(vtkAlgorithm* step, Listener listener);
   ~StepRunner();
-  StepRunner(const StepRunner&) = delete;
-  StepRunner& operator=(const StepRunner&) = delete;
 
   ///@{
   /**

@@ -186,17 +186,9 @@ void WriteProfile(const FlatProfile& profile, vtkPolyData* planes, vtkPolyData* 
 } // namespace
 
 vtkOversketchCrossSection::vtkOversketchCrossSection()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
-}
-
-vtkOversketchCrossSection::~vtkOversketchCrossSection() = default;
-
-vtkPolyData* vtkOversketchCrossSection::GetSectionOutput()
-{
-  return this->GetOutput(1);
 }
 
 void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -208,7 +200,7 @@ void vtkOversketchCrossSection::Execute(vtkInformationVector** inputs, vtkInform
   {
     RequireFinite(component, "Right");
   }
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   vtkPointData* data = mesh->GetPointData();
   const StepKey key(
     { MeshKey(mesh, { data->GetNormals(), data->GetArray("CurveDistance"), data->GetArray("CurveSide") }),

@@ -43,8 +43,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchCrossSection : public vtkOversketchFilter
 {
 public:
@@ -109,7 +107,7 @@ public:
   /**
    * The section on the mesh, on port 1.
    */
-  vtkPolyData* GetSectionOutput();
+  vtkPolyData* GetSectionOutput() { return this->GetOutput(1); }
 
   /**
    * How many times a section has been cut: executions that the kept result did not answer.
@@ -118,21 +116,17 @@ public:
 
 protected:
   vtkOversketchCrossSection();
-  ~vtkOversketchCrossSection() override;
+  ~vtkOversketchCrossSection() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCrossSection(const vtkOversketchCrossSection&) = delete;
-  void operator=(const vtkOversketchCrossSection&) = delete;
-
   int Ends = Nearest;
   int Walk = Across;
   double Right[3] = { 0.0, 0.0, 0.0 };
   vtkIdType SectionCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -77,12 +77,7 @@ struct Line
   {
     vtkDataArray* array =
       RequireArray(data->GetPointData(), name, 1, data->GetNumberOfPoints(), holder, remedy);
-    std::vector<double> values;
-    for (const vtkIdType id : this->Ids)
-    {
-      values.push_back(array->GetComponent(id, 0));
-    }
-    return values;
+    return mapped(this->Ids, [array](vtkIdType id) { return array->GetComponent(id, 0); });
   }
 };
 

@@ -16,7 +16,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataSetAttributes;
 class vtkFieldData;
 class vtkPolyData;
 

@@ -16,12 +16,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchHandles::Cache
-{
-  std::shared_ptr<const MeshData> Data; // keeps the shared mesh alive between runs
-  KeptOutput Kept;
-};
-
 vtkStandardNewMacro(vtkOversketchHandles);
 
 namespace
@@ -73,13 +67,10 @@ void Write(const std::vector<PlacedHandle>& handles, vtkPolyData* output)
 } // namespace
 
 vtkOversketchHandles::vtkOversketchHandles()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchHandles::~vtkOversketchHandles() = default;
 
 void vtkOversketchHandles::SetOperations(const char* text)
 {
@@ -91,19 +82,19 @@ void vtkOversketchHandles::Execute(vtkInformationVector** inputs, vtkInformation
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* further = vtkPolyData::GetData(inputs[2]);
-  Cache& cache = *this->Internals;
   std::vector<double> text;
   AddText(text, this->Operations);
   const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
                       WholeKey(curve),
                       further ? WholeKey(further) : MeshKey() },
     text);
-  cache.Kept.Provide(key,
+  this->Kept<KeptOutput>().Provide(key,
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {
-      cache.Data = SharedMesh(mesh);
-      const CurveOnMesh reference(curve, *cache.Data);
+      auto& data = this->Kept<std::shared_ptr<const MeshData>>(); // alive between runs
+      data = SharedMesh(mesh);
+      const CurveOnMesh reference(curve, *data);
       const auto frameAt = [&](double t) { return reference.Frames.at(t); };
       std::function<Vector3(const Vector2&)> shiftOf;
       if (!ViewArraysOf(curve).empty())

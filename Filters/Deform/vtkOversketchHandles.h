@@ -38,7 +38,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
 #include <string>
 
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchHandles : public vtkOversketchFilter
@@ -74,18 +73,12 @@ public:
 
 protected:
   vtkOversketchHandles();
-  ~vtkOversketchHandles() override;
+  ~vtkOversketchHandles() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchHandles(const vtkOversketchHandles&) = delete;
-  void operator=(const vtkOversketchHandles&) = delete;
-
   std::string Operations;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

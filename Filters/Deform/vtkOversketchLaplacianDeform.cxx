@@ -121,14 +121,6 @@ struct vtkOversketchLaplacianDeform::Cache
 
 vtkStandardNewMacro(vtkOversketchLaplacianDeform);
 
-vtkOversketchLaplacianDeform::vtkOversketchLaplacianDeform()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchLaplacianDeform::~vtkOversketchLaplacianDeform() = default;
-
 // Makes the part, and the bindings to it.
 void vtkOversketchLaplacianDeform::Cache::CutOut(const std::vector<char>& region,
   const std::vector<Binding>& bindings)
@@ -221,7 +213,7 @@ void vtkOversketchLaplacianDeform::Cache::PrepareDrag()
 
 void vtkOversketchLaplacianDeform::ReleaseFactor()
 {
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (cache.System && cache.Points && cache.Dragged.vertices.empty())
   {
     cache.PrepareDrag();
@@ -233,14 +225,14 @@ void vtkOversketchLaplacianDeform::ReleaseFactor()
 
 void vtkOversketchLaplacianDeform::ReleaseWork()
 {
-  *this->Internals = Cache();
+  this->Kept<Cache>() = Cache();
   this->GetOutputDataObject(0)->ReleaseData();
   this->Modified();
 }
 
 bool vtkOversketchLaplacianDeform::Drag(const double translation[3], vtkPoints* points)
 {
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (!cache.Points)
   {
     vtkErrorMacro("There is nothing to drag yet: Update() first.");
@@ -276,7 +268,7 @@ void vtkOversketchLaplacianDeform::Execute(vtkInformationVector** inputs, vtkInf
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   RequirePolygonsOnly(input); // the keys do not see other cells
   const MeshKey systemKey(input);
   const MeshKey outputKey(input, { input->GetPointData()->GetNormals(), input->GetCellData()->GetNormals() });

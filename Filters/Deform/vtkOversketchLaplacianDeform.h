@@ -41,8 +41,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class vtkPoints;
 
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchLaplacianDeform : public vtkOversketchFilter
@@ -128,15 +126,12 @@ public:
   ///@}
 
 protected:
-  vtkOversketchLaplacianDeform();
-  ~vtkOversketchLaplacianDeform() override;
+  vtkOversketchLaplacianDeform() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchLaplacianDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchLaplacianDeform(const vtkOversketchLaplacianDeform&) = delete;
-  void operator=(const vtkOversketchLaplacianDeform&) = delete;
-
   bool AdjustNormals = false;
   double HandleWeight = 10.0;
   vtkIdType AnalysisCount = 0;
@@ -148,7 +143,6 @@ private:
   vtkIdType ActiveHandleCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

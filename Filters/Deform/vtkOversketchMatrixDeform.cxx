@@ -84,19 +84,11 @@ void vtkOversketchMatrixDeform::Cache::FindShares(const std::vector<double>& pla
   this->Places = places;
 }
 
-vtkOversketchMatrixDeform::vtkOversketchMatrixDeform()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchMatrixDeform::~vtkOversketchMatrixDeform() = default;
-
 void vtkOversketchMatrixDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Kept.Provide(StepKey({ WholeKey(mesh), WholeKey(handles) }, {}),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)

@@ -39,8 +39,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchMatrixDeform : public vtkOversketchFilter
 {
 public:
@@ -69,21 +67,17 @@ public:
   vtkGetMacro(DeformCount, vtkIdType);
 
 protected:
-  vtkOversketchMatrixDeform();
-  ~vtkOversketchMatrixDeform() override;
+  vtkOversketchMatrixDeform() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchMatrixDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMatrixDeform(const vtkOversketchMatrixDeform&) = delete;
-  void operator=(const vtkOversketchMatrixDeform&) = delete;
-
   int MovedPoints = 0;
   int FoldedEdges = 0;
   vtkIdType DeformCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

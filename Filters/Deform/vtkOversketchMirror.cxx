@@ -48,11 +48,6 @@ double distance2(const Triple& a, const Triple& b)
 
 } // namespace
 
-vtkOversketchMirror::vtkOversketchMirror()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 int vtkOversketchMirror::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)

@@ -86,15 +86,12 @@ public:
   ///@}
 
 protected:
-  vtkOversketchMirror();
+  vtkOversketchMirror() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchMirror() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchMirror(const vtkOversketchMirror&) = delete;
-  void operator=(const vtkOversketchMirror&) = delete;
-
   int Axis = 0;
   double Offset = 0.0;
   int Side = Above;

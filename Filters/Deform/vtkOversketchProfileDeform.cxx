@@ -97,13 +97,10 @@ std::vector<Vector3> vtkOversketchProfileDeform::Cache::Places(vtkPolyData* prof
 }
 
 vtkOversketchProfileDeform::vtkOversketchProfileDeform()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(5);
   DeclareInput(this, 4, { Port::Optional });
 }
-
-vtkOversketchProfileDeform::~vtkOversketchProfileDeform() = default;
 
 void vtkOversketchProfileDeform::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -112,7 +109,7 @@ void vtkOversketchProfileDeform::Execute(vtkInformationVector** inputs, vtkInfor
   vtkPolyData* profile = vtkPolyData::GetData(inputs[2]);
   vtkPolyData* drawn = vtkPolyData::GetData(inputs[3]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[4]);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   const StepKey key({ WholeKey(mesh),
                       WholeKey(curve),
                       WholeKey(profile),

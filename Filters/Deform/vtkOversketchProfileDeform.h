@@ -43,8 +43,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfileDeform : public vtkOversketchFilter
 {
 public:
@@ -92,21 +90,17 @@ public:
 
 protected:
   vtkOversketchProfileDeform();
-  ~vtkOversketchProfileDeform() override;
+  ~vtkOversketchProfileDeform() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProfileDeform(const vtkOversketchProfileDeform&) = delete;
-  void operator=(const vtkOversketchProfileDeform&) = delete;
-
   bool UseTexture = false;
   int MovedPoints = 0;
   int FoldedEdges = 0;
   vtkIdType DeformCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

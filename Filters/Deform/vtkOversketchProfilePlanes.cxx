@@ -71,20 +71,12 @@ void WriteSquares(const CurveFrame& frame, double halfSize, vtkPolyData* output)
 
 } // namespace
 
-vtkOversketchProfilePlanes::vtkOversketchProfilePlanes()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchProfilePlanes::~vtkOversketchProfilePlanes() = default;
-
 void vtkOversketchProfilePlanes::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* curve = vtkPolyData::GetData(inputs[1]);
   RequireFinite(this->T, "T");
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   const StepKey key({ MeshKey(mesh, { mesh->GetPointData()->GetNormals() }), WholeKey(curve) },
     { this->T, static_cast<double>(this->Frame) });
   cache.Kept.Provide(key,

@@ -37,8 +37,6 @@
 #include "OversketchFiltersDeformModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSDEFORM_EXPORT vtkOversketchProfilePlanes : public vtkOversketchFilter
 {
 public:
@@ -77,20 +75,16 @@ public:
   ///@}
 
 protected:
-  vtkOversketchProfilePlanes();
-  ~vtkOversketchProfilePlanes() override;
+  vtkOversketchProfilePlanes() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchProfilePlanes() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProfilePlanes(const vtkOversketchProfilePlanes&) = delete;
-  void operator=(const vtkOversketchProfilePlanes&) = delete;
-
   double T = 0.5;
   int Frame = Surface;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -149,12 +149,6 @@ void addFields(vtkPolyData* part, int number, vtkFieldData* fields)
 
 } // namespace
 
-int vtkOversketchAssemble::FillInputPortInformation(int port, vtkInformation* information)
-{
-  information->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
-  return this->Superclass::FillInputPortInformation(port, information);
-}
-
 vtkOversketchAssemble::vtkOversketchAssemble()
 {
   DeclareInput(this, 0, { Port::Repeatable });

@@ -41,12 +41,7 @@ protected:
   vtkOversketchAssemble();
   ~vtkOversketchAssemble() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
-private:
-  vtkOversketchAssemble(const vtkOversketchAssemble&) = delete;
-  void operator=(const vtkOversketchAssemble&) = delete;
 };
 
 #endif

@@ -12,18 +12,7 @@
 
 using namespace oversketch;
 
-struct vtkOversketchExtrude::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchExtrude);
-
-vtkOversketchExtrude::vtkOversketchExtrude()
-  : Internals(new Cache)
-{
-}
-
-vtkOversketchExtrude::~vtkOversketchExtrude() = default;
 
 void vtkOversketchExtrude::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -32,7 +21,7 @@ void vtkOversketchExtrude::Execute(vtkInformationVector** inputs, vtkInformation
   const Context context = ContextOf(this);
   context.checkpoint(0.0);
   const double depth = this->Depth == 0.0 ? 0.1 * CanvasOf(mesh).longest() : this->Depth;
-  this->Internals->Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
+  this->Kept<KeptOutput>().Provide(StepKey({ WholeKey(mesh) }, { depth, 1.0 * this->WallRows }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

@@ -32,8 +32,6 @@
 #include "OversketchFiltersInflateModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchExtrude : public vtkOversketchFilter
 {
 public:
@@ -63,21 +61,15 @@ public:
   vtkGetMacro(ExtrudeCount, vtkIdType);
 
 protected:
-  vtkOversketchExtrude();
-  ~vtkOversketchExtrude() override;
+  vtkOversketchExtrude() = default;
+  ~vtkOversketchExtrude() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchExtrude(const vtkOversketchExtrude&) = delete;
-  void operator=(const vtkOversketchExtrude&) = delete;
-
   double Depth = 0.0;
   int WallRows = 0;
   vtkIdType ExtrudeCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

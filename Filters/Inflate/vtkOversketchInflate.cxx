@@ -84,15 +84,12 @@ vtkSmartPointer<vtkImageData> imageOf(const Frame& frame,
 } // namespace
 
 vtkOversketchInflate::vtkOversketchInflate()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   DeclareInput(this, 1, { Port::Image });
   DeclareOutput(this, 1, { Port::Image });
 }
-
-vtkOversketchInflate::~vtkOversketchInflate() = default;
 
 vtkImageData* vtkOversketchInflate::GetHeightsOutput()
 {
@@ -134,7 +131,7 @@ void vtkOversketchInflate::Execute(vtkInformationVector** inputs, vtkInformation
                                                     : this->ProfileSmoothing;
   const bool bySection = !poisson && !(round > 0.0);
   const bool unstretched = this->UnstretchedRims && !this->AsPublished && (!bySection || section.isUpright());
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
 
   const Frame frame = FrameOf(image);
   std::vector<double> values{ frame.origin[0], frame.origin[1], frame.spacing, 1.0 * frame.width };

@@ -48,7 +48,6 @@
 #include "OversketchFiltersInflateModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
 #include <string>
 
 class vtkImageData;
@@ -158,15 +157,12 @@ public:
 
 protected:
   vtkOversketchInflate();
-  ~vtkOversketchInflate() override;
+  ~vtkOversketchInflate() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchInflate(const vtkOversketchInflate&) = delete;
-  void operator=(const vtkOversketchInflate&) = delete;
-
   int Mode = Circular;
   std::string Profile;
   double HeightFactor = 1.0;
@@ -179,7 +175,6 @@ private:
   vtkIdType InflateCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -26,13 +26,8 @@ namespace
 template <typename Element>
 void copyBySource(vtkDataSetAttributes* from, const std::vector<Element>& elements, vtkDataSetAttributes* to)
 {
-  std::vector<int> sources;
-  for (const Element& element : elements)
-  {
-    sources.push_back(element.source);
-  }
   to->CopyNormalsOff();
-  CopyElements(from, sources, to);
+  CopyElements(from, mapped(elements, &Element::source), to);
 }
 
 } // namespace

@@ -16,19 +16,7 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTunnel::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchTunnel);
-
-vtkOversketchTunnel::vtkOversketchTunnel()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchTunnel::~vtkOversketchTunnel() = default;
 
 void vtkOversketchTunnel::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -45,7 +33,7 @@ void vtkOversketchTunnel::Execute(vtkInformationVector** inputs, vtkInformationV
   }
   std::vector<double> values(tunnels.begin(), tunnels.end());
   values.push_back(this->TunnelWall);
-  this->Internals->Provide(StepKey({ WholeKey(surface) }, values),
+  this->Kept<KeptOutput>().Provide(StepKey({ WholeKey(surface) }, values),
     output,
     [&](vtkPolyData* result)
     {

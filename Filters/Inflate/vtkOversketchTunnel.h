@@ -28,8 +28,6 @@
 #include "OversketchFiltersInflateModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSINFLATE_EXPORT vtkOversketchTunnel : public vtkOversketchFilter
 {
 public:
@@ -58,20 +56,14 @@ public:
   vtkGetMacro(TunnelCount, vtkIdType);
 
 protected:
-  vtkOversketchTunnel();
-  ~vtkOversketchTunnel() override;
+  vtkOversketchTunnel() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchTunnel() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTunnel(const vtkOversketchTunnel&) = delete;
-  void operator=(const vtkOversketchTunnel&) = delete;
-
   bool TunnelWall = true;
   vtkIdType TunnelCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -5,7 +5,7 @@
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchMaskArray.h"
-#include "vtkOversketchWeld.h"
+#include "vtkOversketchWeldedInput.h"
 
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
@@ -24,39 +24,14 @@ using namespace oversketch;
 
 struct vtkOversketchMask::Inner
 {
-  vtkNew<vtkPolyData> Welded; // with the mask so far
-  std::unique_ptr<Weld> Welding;
-  std::shared_ptr<const MeshData> Data;
-  std::shared_ptr<const SurfaceRays> Rays; // null: not asked for yet
-  vtkNew<vtkPolyData> Made;                // the last output, a shallow copy; empty after a run that failed
-
-  void FeedMesh(vtkPolyData* mesh)
-  {
-    RequirePolygonsOnly(mesh); // the key does not see other cells
-    if (!this->Welding || this->MeshSeen != MeshKey(mesh))
-    {
-      vtkNew<vtkPolyData> bare; // of attributes, which would have to be told apart at seams
-      bare->SetPoints(mesh->GetPoints());
-      bare->SetPolys(mesh->GetPolys());
-      this->Welding = std::make_unique<Weld>(bare);
-      this->Welded->ShallowCopy(this->Welding->Welded());
-      this->Data = SharedMesh(this->Welded);
-      this->Rays = nullptr;
-      this->MeshSeen = MeshKey(mesh);
-    }
-    this->Welding->PutMask(mesh, this->Welded);
-  }
-  const SurfaceRays& Provide(const Context& context)
-  {
-    this->Rays = this->Rays ? this->Rays : sharedRays(this->Data->KeptSurface(), context);
-    return *this->Rays;
-  }
+  WeldedInput Input;
+  vtkNew<vtkPolyData> Made; // the last output, a shallow copy; empty after a run that failed
 
   // 1 for each vertex that one of the lassos encloses.
   std::vector<char> Enclosed(vtkPolyData* strokes, bool through, vtkAlgorithm* self)
   {
     constexpr int least = 3; // samples that enclose something
-    const std::vector<Vector3>& points = this->Data->Surface().points;
+    const std::vector<Vector3>& points = this->Input.Data().Surface().points;
     std::vector<char> enclosed(points.size(), 0);
     const std::vector<DrawnLine> lassos = ReadStrokes(strokes, least);
     for (std::size_t i = 0; i < lassos.size(); ++i)
@@ -76,7 +51,7 @@ struct vtkOversketchMask::Inner
       const std::vector<char> seen =
         through ? std::vector<char>(inside.size(), 1)
                 : seenVertices(
-                    this->Provide(context), view, inside, ContextOf(self, from + 0.5 * each, from + each));
+                    this->Input.Rays(context), view, inside, ContextOf(self, from + 0.5 * each, from + each));
       for (std::size_t k = 0; k < inside.size(); ++k)
       {
         enclosed[inside[k]] = enclosed[inside[k]] || seen[k];
@@ -104,7 +79,7 @@ struct vtkOversketchMask::Inner
       }
     }
     const std::vector<double> ways =
-      edgeDistances(this->Data->Surface(), this->Data->Neighbours(), sources, std::abs(length));
+      edgeDistances(this->Input.Data().Surface(), this->Input.Data().Neighbours(), sources, std::abs(length));
     for (std::size_t v = 0; v < mask.size(); ++v)
     {
       if (ways[v] <= std::abs(length))
@@ -113,38 +88,27 @@ struct vtkOversketchMask::Inner
       }
     }
   }
-
-private:
-  MeshKey MeshSeen;
 };
 
 vtkStandardNewMacro(vtkOversketchMask);
 
 vtkOversketchMask::vtkOversketchMask()
-  : Internals(new Inner)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
 
-vtkOversketchMask::~vtkOversketchMask() = default;
-
 int vtkOversketchMask::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  Inner& inner = *this->Internals;
+  Inner& inner = this->Kept<Inner>();
   inner.Made->Initialize();
-  return this->RunSystem(
-    [&]
+  return this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
       vtkPolyData* strokes = vtkPolyData::GetData(inputs[1]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       RequireFinite(this->Grow, "Grow");
       const bool isDrawn = strokes && strokes->GetNumberOfPoints() > 0;
       if (!isDrawn && this->Mode != Replace && this->Grow == 0.0 && !this->Invert)
@@ -153,9 +117,9 @@ int vtkOversketchMask::RequestData(vtkInformation*,
           "There is no lasso; draw one round a part of the model, or let the mask {Grow}, {Invert on}, or "
           "clear it by {Mode Replace}.");
       }
-      inner.FeedMesh(mesh);
-      std::vector<double> mask = MaskOf(inner.Welded);
-      mask.resize(static_cast<std::size_t>(inner.Welded->GetNumberOfPoints()), 0.0);
+      inner.Input.Feed(mesh);
+      std::vector<double> mask = inner.Input.MaskOfVertices(mesh);
+      mask.resize(inner.Input.Data().Surface().points.size(), 0.0);
       if (this->Mode == Replace)
       {
         std::fill(mask.begin(), mask.end(), 0.0);
@@ -180,7 +144,7 @@ int vtkOversketchMask::RequestData(vtkInformation*,
         NewArray<vtkFloatArray>(maskName, 1, static_cast<std::size_t>(mesh->GetNumberOfPoints()));
       for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
       {
-        made->SetValue(i, static_cast<float>(mask[static_cast<std::size_t>(inner.Welding->VertexOf(i))]));
+        made->SetValue(i, static_cast<float>(mask[static_cast<std::size_t>(inner.Input.VertexOf(i))]));
       }
       output->ShallowCopy(mesh);
       output->GetPointData()->AddArray(made);
@@ -190,23 +154,18 @@ int vtkOversketchMask::RequestData(vtkInformation*,
 
 bool vtkOversketchMask::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
-      this->Internals->FeedMesh(mesh);
-      this->Internals->Provide(ContextOf(this));
-      return true;
+      WeldedInput& input = this->Kept<Inner>().Input;
+      input.Feed(mesh);
+      input.Rays(ContextOf(this));
     });
 }
 
 vtkOversketchSystem::FigureList vtkOversketchMask::Figures()
 {
-  vtkPolyData* made = this->Internals->Made;
+  vtkPolyData* made = this->Kept<Inner>().Made;
   if (made->GetNumberOfPoints() == 0)
   {
     return {};

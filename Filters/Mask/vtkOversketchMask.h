@@ -37,8 +37,6 @@
 #include "OversketchFiltersMaskModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSMASK_EXPORT vtkOversketchMask : public vtkOversketchSystem
 {
 public:
@@ -101,21 +99,17 @@ public:
 
 protected:
   vtkOversketchMask();
-  ~vtkOversketchMask() override;
+  ~vtkOversketchMask() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMask(const vtkOversketchMask&) = delete;
-  void operator=(const vtkOversketchMask&) = delete;
-
   int Mode = Add;
   bool Through = false;
   double Grow = 0.0;
   bool Invert = false;
 
   struct Inner;
-  std::unique_ptr<Inner> Internals;
 };
 
 #endif

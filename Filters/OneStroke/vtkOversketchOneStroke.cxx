@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <string>
 
 using namespace oversketch;
 
@@ -34,15 +33,10 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
   inner.Effect = StrokeEffect();
   inner.Remark = {};
   this->Remeshed = false;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       inner.MixtureRegion->SetReach(this->Reach);
       vtkPolyData* stroke = vtkPolyData::GetData(inputs[1]);
       if (stroke->GetNumberOfLines() > 1)
@@ -65,29 +59,20 @@ int vtkOversketchOneStroke::RequestData(vtkInformation*,
 
 bool vtkOversketchOneStroke::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
       this->Inner->FeedMesh(mesh);
       this->RunStage("ShapeDiameter");
       this->RunStage("MixtureRegion", [this] { this->Inner->MixtureRegion->Prepare(); });
-      return true;
     });
 }
 
 bool vtkOversketchOneStroke::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
       this->Inner->Match->SetCandidate(this->Candidate);

@@ -226,9 +226,6 @@ protected:
   void BackendChanged() override;
 
 private:
-  vtkOversketchOneStroke(const vtkOversketchOneStroke&) = delete;
-  void operator=(const vtkOversketchOneStroke&) = delete;
-
   int Remesh = RemeshAuto;
   bool CorrectOutline = true;
   bool AsPublished = false;

@@ -17,10 +17,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchArrange::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchArrange);
 
 namespace
@@ -63,13 +59,6 @@ void passStrokeArrays(vtkPolyData* input, vtkDataArray* strokes, vtkPolyData* ou
 
 } // namespace
 
-vtkOversketchArrange::vtkOversketchArrange()
-  : Internals(new Cache)
-{
-}
-
-vtkOversketchArrange::~vtkOversketchArrange() = default;
-
 void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* curves = vtkPolyData::GetData(inputs[0]);
@@ -78,7 +67,7 @@ void vtkOversketchArrange::Execute(vtkInformationVector** inputs, vtkInformation
     { curves->GetFieldData()->GetArray("Canvas"),
       curves->GetFieldData()->GetArray("Resolution"),
       curves->GetCellData()->GetArray("StrokeId") });
-  this->Internals->Provide(StepKey({ read }, { this->JoinDistance }),
+  this->Kept<KeptOutput>().Provide(StepKey({ read }, { this->JoinDistance }),
     output,
     [&](vtkPolyData* result)
     {

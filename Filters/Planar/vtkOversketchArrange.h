@@ -35,8 +35,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchArrange : public vtkOversketchFilter
 {
 public:
@@ -60,20 +58,14 @@ public:
   vtkGetMacro(ArrangementCount, vtkIdType);
 
 protected:
-  vtkOversketchArrange();
-  ~vtkOversketchArrange() override;
+  vtkOversketchArrange() = default;
+  ~vtkOversketchArrange() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchArrange(const vtkOversketchArrange&) = delete;
-  void operator=(const vtkOversketchArrange&) = delete;
-
   double JoinDistance = 0.02;
   vtkIdType ArrangementCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

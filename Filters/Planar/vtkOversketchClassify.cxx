@@ -16,7 +16,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cctype>
 
 using namespace oversketch;
 
@@ -68,13 +67,10 @@ void writeLabels(const Classification& classification, const Frame& frame, vtkIm
 } // namespace
 
 vtkOversketchClassify::vtkOversketchClassify()
-  : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
   DeclareOutput(this, 1, { Port::Image });
 }
-
-vtkOversketchClassify::~vtkOversketchClassify() = default;
 
 vtkImageData* vtkOversketchClassify::GetLabelsOutput()
 {
@@ -106,7 +102,7 @@ int vtkOversketchClassify::RequestData(vtkInformation*,
         vtkImageData::GetData(outputs, 1)->Initialize();
         return;
       }
-      Cache& cache = *this->Internals;
+      Cache& cache = this->Kept<Cache>();
       const double share = this->AsPublished ? 0.0 : this->ContactShare;
       cache.Kept.Provide(StepKey({ MeshKey(curves,
                                    { curves->GetFieldData()->GetArray("Canvas"),

@@ -42,17 +42,15 @@
 #define vtkOversketchClassify_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-
-#include <memory>
+#include "vtkOversketchFilter.h"
 
 class vtkImageData;
 
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchClassify : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchClassify : public vtkOversketchFilter
 {
 public:
   static vtkOversketchClassify* New();
-  vtkTypeMacro(vtkOversketchClassify, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchClassify, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -97,15 +95,12 @@ public:
 
 protected:
   vtkOversketchClassify();
-  ~vtkOversketchClassify() override;
+  ~vtkOversketchClassify() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchClassify(const vtkOversketchClassify&) = delete;
-  void operator=(const vtkOversketchClassify&) = delete;
-
   double ContactShare = 0.05;
   int Resolution = 1024;
   bool AsPublished = false;
@@ -113,7 +108,6 @@ private:
   int CrossingCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

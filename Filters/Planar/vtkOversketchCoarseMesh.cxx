@@ -16,10 +16,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCoarseMesh::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchCoarseMesh);
 
 namespace
@@ -44,18 +40,10 @@ std::vector<Vector2> dartsOf(vtkPolyData* darts)
 } // namespace
 
 vtkOversketchCoarseMesh::vtkOversketchCoarseMesh()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
-}
-
-vtkOversketchCoarseMesh::~vtkOversketchCoarseMesh() = default;
-
-vtkPolyData* vtkOversketchCoarseMesh::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -69,7 +57,7 @@ void vtkOversketchCoarseMesh::Execute(vtkInformationVector** inputs, vtkInformat
     read.emplace_back(darts);
   }
   vtkPolyData* edges = vtkPolyData::GetData(outputs, 1);
-  this->Internals->Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey(read, { static_cast<double>(this->TerminalRule), this->Relax ? 1.0 : 0.0 }),
     { output, edges },
     [&](const KeptOutput::Outputs& results)

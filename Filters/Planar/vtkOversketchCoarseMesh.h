@@ -37,8 +37,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchCoarseMesh : public vtkOversketchFilter
 {
 public:
@@ -62,7 +60,7 @@ public:
   /**
    * The edges on strokes, on port 1.
    */
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
   ///@{
   /**
@@ -94,20 +92,14 @@ public:
 
 protected:
   vtkOversketchCoarseMesh();
-  ~vtkOversketchCoarseMesh() override;
+  ~vtkOversketchCoarseMesh() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCoarseMesh(const vtkOversketchCoarseMesh&) = delete;
-  void operator=(const vtkOversketchCoarseMesh&) = delete;
-
   int TerminalRule = TWO_BOUNDARY_EDGES;
   bool Relax = true;
   vtkIdType MeshCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

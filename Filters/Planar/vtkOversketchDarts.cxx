@@ -17,22 +17,13 @@
 
 using namespace oversketch;
 
-struct vtkOversketchDarts::Cache
-{
-  KeptOutput Kept;
-  KeptMaps Maps;
-};
-
 vtkStandardNewMacro(vtkOversketchDarts);
 
 vtkOversketchDarts::vtkOversketchDarts()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
-
-vtkOversketchDarts::~vtkOversketchDarts() = default;
 
 void vtkOversketchDarts::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -48,8 +39,9 @@ void vtkOversketchDarts::Execute(vtkInformationVector** inputs, vtkInformationVe
       "There is no distance image to throw darts in: connect that of vtkOversketchDistance, or choose "
       "{DartMode Off}.");
   }
-  this->Internals->Kept.Provide(StepKey({ PlanarKey(polylines), ImageKey(distance) },
-                                  { static_cast<double>(this->DartMode), static_cast<double>(this->Seed) }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey({ PlanarKey(polylines), ImageKey(distance) },
+      { static_cast<double>(this->DartMode), static_cast<double>(this->Seed) }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {
@@ -57,7 +49,7 @@ void vtkOversketchDarts::Execute(vtkInformationVector** inputs, vtkInformationVe
       const Context context = ContextOf(this);
       const oversketch::DartMode mode =
         this->DartMode == LOCAL ? oversketch::DartMode::Local : oversketch::DartMode::Published;
-      const std::vector<Vector2> darts = throwDarts(this->Internals->Maps.Of(distance),
+      const std::vector<Vector2> darts = throwDarts(this->Kept<KeptMaps>().Of(distance),
         StrokeLinesOf(polylines),
         mode,
         static_cast<unsigned int>(this->Seed),

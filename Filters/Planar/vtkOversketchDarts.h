@@ -29,8 +29,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDarts : public vtkOversketchFilter
 {
 public:
@@ -88,21 +86,15 @@ public:
 
 protected:
   vtkOversketchDarts();
-  ~vtkOversketchDarts() override;
+  ~vtkOversketchDarts() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDarts(const vtkOversketchDarts&) = delete;
-  void operator=(const vtkOversketchDarts&) = delete;
-
   int DartMode = LOCAL;
   int Seed = 1;
   bool AsPublished = false;
   vtkIdType DartsCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -38,13 +38,10 @@ struct vtkOversketchDistance::Cache
 vtkStandardNewMacro(vtkOversketchDistance);
 
 vtkOversketchDistance::vtkOversketchDistance()
-  : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
   DeclareOutput(this, 1, { Port::Image });
 }
-
-vtkOversketchDistance::~vtkOversketchDistance() = default;
 
 vtkImageData* vtkOversketchDistance::GetDistanceOutput()
 {
@@ -64,7 +61,7 @@ void vtkOversketchDistance::Execute(vtkInformationVector** inputs, vtkInformatio
   vtkImageData* image = vtkImageData::GetData(outputs, 1);
   const Drawing drawing = DrawingOf(curves);
   std::vector<Rim> rims = rimsOf(ClassificationOf(curves), drawing.Strokes, drawing.Treatments);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (!cache.Answers(rims, drawing.Raster, this->LocalMaxMode))
   {
     ++this->DistanceCount;

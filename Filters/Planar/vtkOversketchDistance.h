@@ -34,8 +34,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class vtkImageData;
 
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchDistance : public vtkOversketchFilter
@@ -74,20 +72,16 @@ public:
 
 protected:
   vtkOversketchDistance();
-  ~vtkOversketchDistance() override;
+  ~vtkOversketchDistance() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDistance(const vtkOversketchDistance&) = delete;
-  void operator=(const vtkOversketchDistance&) = delete;
-
   int LocalMaxMode = LOCAL;
   vtkIdType DistanceCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

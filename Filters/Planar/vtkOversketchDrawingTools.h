@@ -13,7 +13,6 @@
 #include "vtkOversketchKept.h"
 
 #include <functional>
-#include <string>
 #include <vector>
 
 class vtkAlgorithm;

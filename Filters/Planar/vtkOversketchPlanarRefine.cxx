@@ -22,22 +22,9 @@ struct vtkOversketchPlanarRefine::Cache
 vtkStandardNewMacro(vtkOversketchPlanarRefine);
 
 vtkOversketchPlanarRefine::vtkOversketchPlanarRefine()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
-}
-
-vtkOversketchPlanarRefine::~vtkOversketchPlanarRefine() = default;
-
-vtkPolyData* vtkOversketchPlanarRefine::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
-}
-
-vtkPolyData* vtkOversketchPlanarRefine::GetSplitsOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(2));
 }
 
 int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
@@ -62,7 +49,7 @@ int vtkOversketchPlanarRefine::RequestData(vtkInformation*,
       options.snapShare = this->SnapShare;
       options.guard = !this->AsPublished;
       options.quads = this->Quads;
-      Cache& cache = *this->Internals;
+      Cache& cache = this->Kept<Cache>();
       vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
       cache.Kept.Provide(StepKey({ PlanarKey(faces), PlanarKey(edges), CurvesKey(curves) },
                            { static_cast<double>(options.levels),

@@ -41,15 +41,13 @@
 #define vtkOversketchPlanarRefine_h
 
 #include "OversketchFiltersPlanarModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkOversketchFilter.h"
 
-#include <memory>
-
-class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPlanarRefine : public vtkPolyDataAlgorithm
+class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPlanarRefine : public vtkOversketchFilter
 {
 public:
   static vtkOversketchPlanarRefine* New();
-  vtkTypeMacro(vtkOversketchPlanarRefine, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkOversketchPlanarRefine, vtkOversketchFilter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -67,12 +65,12 @@ public:
   /**
    * The edges, on output port 1.
    */
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
   /**
    * The splits, on output port 2.
    */
-  vtkPolyData* GetSplitsOutput();
+  vtkPolyData* GetSplitsOutput() { return this->GetOutput(2); }
 
   ///@{
   /**
@@ -160,14 +158,11 @@ public:
 
 protected:
   vtkOversketchPlanarRefine();
-  ~vtkOversketchPlanarRefine() override;
+  ~vtkOversketchPlanarRefine() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchPlanarRefine(const vtkOversketchPlanarRefine&) = delete;
-  void operator=(const vtkOversketchPlanarRefine&) = delete;
-
   int Levels = 3;
   bool LevelsFromSketch = false;
   bool LargeFacesOnceMore = false;
@@ -180,7 +175,6 @@ private:
   vtkIdType RefineCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

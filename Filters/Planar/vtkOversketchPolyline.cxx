@@ -15,23 +15,14 @@
 
 using namespace oversketch;
 
-struct vtkOversketchPolyline::Cache
-{
-  KeptOutput Kept;
-  KeptMaps Maps;
-};
-
 vtkStandardNewMacro(vtkOversketchPolyline);
 
 vtkOversketchPolyline::vtkOversketchPolyline()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 1, { Port::Image, Port::Optional });
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchPolyline::~vtkOversketchPolyline() = default;
 
 void vtkOversketchPolyline::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -56,7 +47,7 @@ void vtkOversketchPolyline::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     read.push_back(PlanarKey(splits));
   }
-  this->Internals->Kept.Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey(read, { static_cast<double>(fixed), this->Tolerance, this->JoinDistance }),
     output,
     [&](vtkPolyData* result)
@@ -84,7 +75,7 @@ void vtkOversketchPolyline::Execute(vtkInformationVector** inputs, vtkInformatio
       const std::vector<StrokePolyline> polylines = approximate(drawing.Strokes,
         classes,
         drawing.Treatments,
-        fixed ? none : this->Internals->Maps.Of(distance),
+        fixed ? none : this->Kept<KeptMaps>().Of(distance),
         parts,
         drawing.Rectangle.longest(),
         rules,

@@ -42,8 +42,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchPolyline : public vtkOversketchFilter
 {
 public:
@@ -114,22 +112,16 @@ public:
 
 protected:
   vtkOversketchPolyline();
-  ~vtkOversketchPolyline() override;
+  ~vtkOversketchPolyline() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchPolyline(const vtkOversketchPolyline&) = delete;
-  void operator=(const vtkOversketchPolyline&) = delete;
-
   int DeltaMode = ADAPTIVE;
   double Tolerance = 0.05;
   double JoinDistance = 0.01;
   bool AsPublished = false;
   vtkIdType PolylineCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

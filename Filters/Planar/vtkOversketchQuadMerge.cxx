@@ -11,24 +11,12 @@
 
 using namespace oversketch;
 
-struct vtkOversketchQuadMerge::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchQuadMerge);
 
 vtkOversketchQuadMerge::vtkOversketchQuadMerge()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-}
-
-vtkOversketchQuadMerge::~vtkOversketchQuadMerge() = default;
-
-vtkPolyData* vtkOversketchQuadMerge::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -36,7 +24,7 @@ void vtkOversketchQuadMerge::Execute(vtkInformationVector** inputs, vtkInformati
   vtkPolyData* triangles = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* edges = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
-  this->Internals->Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ PlanarKey(triangles), PlanarKey(edges) }, {}),
     output,
     [&](vtkPolyData* result)
     {

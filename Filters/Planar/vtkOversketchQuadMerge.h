@@ -27,8 +27,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchQuadMerge : public vtkOversketchFilter
 {
 public:
@@ -41,7 +39,7 @@ public:
    */
   void SetEdgesConnection(vtkAlgorithmOutput* edges) { this->SetInputConnection(1, edges); }
   void SetEdgesData(vtkPolyData* edges) { this->SetInputData(1, edges); }
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
   /**
    * How many times triangles have been merged: executions that the kept result did not answer.
@@ -50,18 +48,12 @@ public:
 
 protected:
   vtkOversketchQuadMerge();
-  ~vtkOversketchQuadMerge() override;
+  ~vtkOversketchQuadMerge() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchQuadMerge(const vtkOversketchQuadMerge&) = delete;
-  void operator=(const vtkOversketchQuadMerge&) = delete;
-
   vtkIdType MergeCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -58,9 +58,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTreatment(const vtkOversketchTreatment&) = delete;
-  void operator=(const vtkOversketchTreatment&) = delete;
-
   std::string Holes;
   std::string Tunnels;
 };

@@ -14,24 +14,12 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTrimHoles::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchTrimHoles);
 
 vtkOversketchTrimHoles::vtkOversketchTrimHoles()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
-}
-
-vtkOversketchTrimHoles::~vtkOversketchTrimHoles() = default;
-
-vtkPolyData* vtkOversketchTrimHoles::GetEdgesOutput()
-{
-  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(1));
 }
 
 void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -47,7 +35,7 @@ void vtkOversketchTrimHoles::Execute(vtkInformationVector** inputs, vtkInformati
     this->GetEdgesOutput()->ShallowCopy(edges);
     return;
   }
-  this->Internals->Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey({ PlanarKey(faces), PlanarKey(edges) }, std::vector<double>(gone.begin(), gone.end())),
     { output, this->GetEdgesOutput() },
     [&](const KeptOutput::Outputs& results)

@@ -31,8 +31,6 @@
 #include "OversketchFiltersPlanarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPLANAR_EXPORT vtkOversketchTrimHoles : public vtkOversketchFilter
 {
 public:
@@ -54,20 +52,13 @@ public:
   /**
    * The edges, on output port 1.
    */
-  vtkPolyData* GetEdgesOutput();
+  vtkPolyData* GetEdgesOutput() { return this->GetOutput(1); }
 
 protected:
   vtkOversketchTrimHoles();
-  ~vtkOversketchTrimHoles() override;
+  ~vtkOversketchTrimHoles() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  vtkOversketchTrimHoles(const vtkOversketchTrimHoles&) = delete;
-  void operator=(const vtkOversketchTrimHoles&) = delete;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -6,7 +6,7 @@
 #include "vtkOversketchKept.h"
 #include "vtkOversketchMaskArray.h"
 #include "vtkOversketchPolylines.h"
-#include "vtkOversketchWeld.h"
+#include "vtkOversketchWeldedInput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -97,31 +97,7 @@ Message remarkOf(vtkIdType folds, double share, double beside)
 
 struct vtkOversketchPose::Inner
 {
-  // The mesh's triangles with repeated points welded, and what rays meet, changed only where the input has.
-  vtkNew<vtkPolyData> Mesh;
-  std::unique_ptr<Weld> Welding;
-  std::shared_ptr<const MeshData> Data;
-  std::shared_ptr<const SurfaceRays> Rays;
-
-  void FeedMesh(vtkPolyData* mesh, const Context& context)
-  {
-    RequirePolygonsOnly(mesh); // the key does not see other cells
-    if (!this->Welding || this->MeshSeen != MeshKey(mesh))
-    {
-      this->Rays = nullptr;
-      vtkNew<vtkPolyData> bare; // of attributes, which would have to be told apart at seams
-      bare->SetPoints(mesh->GetPoints());
-      bare->SetPolys(mesh->GetPolys());
-      this->Welding = std::make_unique<Weld>(bare);
-      this->MeshSeen = MeshKey(mesh);
-      this->Mesh->ShallowCopy(this->Welding->Welded());
-      this->Data = SharedMesh(this->Mesh);
-    }
-    if (!this->Rays)
-    {
-      this->Rays = sharedRays(this->Data->KeptSurface(), context);
-    }
-  }
+  WeldedInput Input;
 
   // The bone, what goes with it, and the part of the mesh that this changes.
   struct Grip
@@ -134,21 +110,20 @@ struct vtkOversketchPose::Inner
   void FeedBone(vtkPolyData* stroke, const Context& context, vtkIdType& count)
   {
     this->Held = nullptr;
-    this->Held = &this->Grips.Provide(StepKey({ this->MeshSeen, WholeKey(stroke) }, {}),
+    this->Held = &this->Grips.Provide(StepKey({ this->Input.Key(), WholeKey(stroke) }, {}),
       [&]
       {
         ++count;
         const DrawnBone drawn = drawnBoneOf(stroke, boneRefused);
-        const auto& surface = this->Data->Surface();
+        const MeshData& data = this->Input.Data();
         Grip grip;
-        grip.Line = boneUnder(*this->Rays, drawn.view, drawn.line, context);
-        grip.Part = limbOf(surface, this->Data->Neighbours(), grip.Line, context);
-        grip.Patch = std::make_shared<MovingPatch>(surface, this->Data->Neighbours(), grip.Part.vertices);
+        grip.Line = boneUnder(this->Input.Rays(context), drawn.view, drawn.line, context);
+        grip.Part = limbOf(data.Surface(), data.Neighbours(), grip.Line, context);
+        grip.Patch = std::make_shared<MovingPatch>(data.Surface(), data.Neighbours(), grip.Part.vertices);
         return grip;
       });
   }
 
-  KeptOutput Kept;
   struct Counts
   {
     vtkIdType Moved = 0, Joints = 0, Folds = 0;
@@ -168,28 +143,18 @@ struct vtkOversketchPose::Inner
   // Leaves the limb's points where they are as far as they are masked.
   void HoldMasked(vtkPolyData* mesh, std::vector<Vector3>& places)
   {
-    this->Welding->PutMask(mesh, this->Mesh);
-    const std::vector<double> mask = MaskOf(this->Mesh);
+    const std::vector<double> mask = this->Input.MaskOfVertices(mesh);
     for (std::size_t i = 0; !mask.empty() && i < places.size(); ++i)
     {
       const int v = this->Held->Part.vertices[i];
-      const Vector3& rest = this->Data->Surface().points[v];
+      const Vector3& rest = this->Input.Data().Surface().points[v];
       places[i] = mask[v] == 0.0 ? places[i] : Vector3(rest + (1.0 - mask[v]) * (places[i] - rest));
     }
   }
 
   void Move(vtkPolyData* mesh, const Posed& made, vtkPolyData* result)
   {
-    vtkNew<vtkPoints> points;
-    points->SetDataTypeToDouble();
-    points->DeepCopy(this->Mesh->GetPoints());
-    for (std::size_t i = 0; i < made.places.size(); ++i)
-    {
-      points->SetPoint(this->Held->Part.vertices[i], made.places[i].data());
-    }
-    vtkNew<vtkPolyData> moved;
-    moved->SetPoints(points);
-    this->Welding->Move(mesh, moved, result);
+    this->Input.Move(mesh, this->Held->Part.vertices, made.places, result);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
       this->Figures.Moved += Vector3(mesh->GetPoint(i)) != Vector3(result->GetPoint(i));
@@ -199,15 +164,12 @@ struct vtkOversketchPose::Inner
   void Keep(vtkPolyData* output)
   {
     auto made = std::make_unique<Result>();
-    std::vector<char> isLimb(this->Data->Surface().points.size(), 0);
-    for (const int v : this->Held->Part.vertices)
-    {
-      isLimb[v] = 1;
-    }
+    const std::vector<char> isLimb =
+      marksAt(this->Held->Part.vertices, this->Input.Data().Surface().points.size());
     made->Moves.assign(static_cast<std::size_t>(output->GetNumberOfPoints()), 0);
     for (std::size_t i = 0; this->Figures.Moved > 0 && i < made->Moves.size(); ++i)
     {
-      made->Moves[i] = isLimb[this->Welding->VertexOf(static_cast<vtkIdType>(i))];
+      made->Moves[i] = isLimb[this->Input.VertexOf(static_cast<vtkIdType>(i))];
     }
     made->Share = static_cast<double>(this->Held->Part.vertices.size()) / static_cast<double>(isLimb.size());
     made->Output->ShallowCopy(output);
@@ -217,37 +179,28 @@ struct vtkOversketchPose::Inner
   }
 
 private:
-  MeshKey MeshSeen;
   KeptValue<Grip> Grips;
 };
 
 vtkStandardNewMacro(vtkOversketchPose);
 
 vtkOversketchPose::vtkOversketchPose()
-  : Internals(new Inner)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
 
-vtkOversketchPose::~vtkOversketchPose() = default;
-
 int vtkOversketchPose::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  Inner& inner = *this->Internals;
+  Inner& inner = this->Kept<Inner>();
   inner.Made = nullptr;
   Message remark;
-  const int done = this->RunSystem(
-    [&]
+  const int done = this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       vtkPolyData* bone = vtkPolyData::GetData(inputs[1]);
       this->PutPosed(mesh, bone, vtkPolyData::GetData(inputs[2]), output);
       inner.Keep(output);
@@ -259,20 +212,21 @@ int vtkOversketchPose::RequestData(vtkInformation*,
 
 void vtkOversketchPose::PutPosed(vtkPolyData* mesh, vtkPolyData* bone, vtkPolyData* pose, vtkPolyData* output)
 {
-  Inner& inner = *this->Internals;
+  Inner& inner = this->Kept<Inner>();
   RequireFinite(this->Softness, "Softness");
   if (isAbsent(bone))
   {
     throw Error(
       Failure::BadStroke, "There is no bone; draw one along a limb, from the joint that stays to the tip.");
   }
-  inner.FeedMesh(mesh, ContextOf(this, 0.0, 0.3));
+  inner.Input.Feed(mesh);
+  inner.Input.Rays(ContextOf(this, 0.0, 0.3));
   inner.FeedBone(bone, ContextOf(this, 0.3, 0.6), this->LimbCount);
   const Inner::Grip& grip = *inner.Held;
   const MeshKey course = isAbsent(pose) ? MeshKey() : WholeKey(pose);
   const StepKey key(
     { WholeKey(mesh), WholeKey(bone), course }, { this->Softness, this->Stretch ? 1.0 : 0.0 });
-  inner.Kept.Provide(key,
+  this->Kept<KeptOutput>().Provide(key,
     output,
     [&](vtkPolyData* result)
     {
@@ -320,37 +274,32 @@ bool vtkOversketchPose::PreviewPose(vtkPolyData* preview)
 
 bool vtkOversketchPose::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
-      this->Internals->FeedMesh(mesh, ContextOf(this));
-      this->Internals->Data->Neighbours();
-      return true;
+      WeldedInput& input = this->Kept<Inner>().Input;
+      input.Feed(mesh);
+      input.Rays(ContextOf(this));
+      input.Data().Neighbours();
     });
 }
 
 bool vtkOversketchPose::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
-      this->Internals->FeedMesh(mesh, ContextOf(this, 0.0, 0.5));
+      WeldedInput& input = this->Kept<Inner>().Input;
+      input.Feed(mesh);
+      const SurfaceRays& rays = input.Rays(ContextOf(this, 0.0, 0.5));
       if (stroke->GetNumberOfPoints() < 2)
       {
         return false;
       }
       const DrawnBone drawn = drawnBoneOf(stroke, boneRefused);
-      putHold(boneUnder(*this->Internals->Rays, drawn.view, drawn.line, ContextOf(this, 0.5, 1.0)), hold);
+      putHold(boneUnder(rays, drawn.view, drawn.line, ContextOf(this, 0.5, 1.0)), hold);
       return true;
     });
 }
@@ -358,33 +307,33 @@ bool vtkOversketchPose::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyD
 void vtkOversketchPose::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
-  if (this->Internals->Made)
+  if (this->Kept<Inner>().Made)
   {
-    hold->ShallowCopy(this->Internals->Made->Hold);
+    hold->ShallowCopy(this->Kept<Inner>().Made->Hold);
   }
 }
 
 void vtkOversketchPose::GetRegion(vtkPolyData* region)
 {
   region->Initialize();
-  if (this->Internals->Made)
+  if (this->Kept<Inner>().Made)
   {
-    PutTriangles(this->Internals->Made->Output, this->Internals->Made->Moves, 1, region);
+    PutTriangles(this->Kept<Inner>().Made->Output, this->Kept<Inner>().Made->Moves, 1, region);
   }
 }
 
 vtkOversketchSystem::FigureList vtkOversketchPose::Figures()
 {
-  if (!this->Internals->Made)
+  if (!this->Kept<Inner>().Made)
   {
     return {};
   }
-  const auto& figures = this->Internals->Made->Figures;
+  const auto& figures = this->Kept<Inner>().Made->Figures;
   return { { "moved", figures.Moved },
     { "joints", figures.Joints },
     { "bend", figures.Bend },
     { "folded_edges", figures.Folds },
-    { "share", this->Internals->Made->Share } };
+    { "share", this->Kept<Inner>().Made->Share } };
 }
 
 void vtkOversketchPose::PrintSelf(ostream& os, vtkIndent indent)

@@ -41,8 +41,6 @@
 #include "OversketchFiltersPoseModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSPOSE_EXPORT vtkOversketchPose : public vtkOversketchSystem
 {
 public:
@@ -104,14 +102,11 @@ public:
 
 protected:
   vtkOversketchPose();
-  ~vtkOversketchPose() override;
+  ~vtkOversketchPose() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchPose(const vtkOversketchPose&) = delete;
-  void operator=(const vtkOversketchPose&) = delete;
-
   double Softness = 1.0;
   bool Stretch = false;
   vtkIdType LimbCount = 0;
@@ -119,7 +114,6 @@ private:
   void PutPosed(vtkPolyData* mesh, vtkPolyData* bone, vtkPolyData* pose, vtkPolyData* output);
 
   struct Inner;
-  std::unique_ptr<Inner> Internals;
 };
 
 #endif

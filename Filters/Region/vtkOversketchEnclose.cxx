@@ -19,8 +19,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
-
 using namespace oversketch;
 
 struct vtkOversketchEnclose::Cache
@@ -54,20 +52,17 @@ void writePatch(vtkPolyData* mesh, const Extract& extract, vtkPolyData* patch)
 vtkStandardNewMacro(vtkOversketchEnclose);
 
 vtkOversketchEnclose::vtkOversketchEnclose()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
-
-vtkOversketchEnclose::~vtkOversketchEnclose() = default;
 
 void vtkOversketchEnclose::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* boundary = vtkPolyData::GetData(inputs[2]);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Data = SharedMesh(input);
   const StepKey key({ MeshKey(input), ChainsKey(reference), ChainsKey(boundary) }, {});
   if (!cache.Vertices || cache.Key != key)

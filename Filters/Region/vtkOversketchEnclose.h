@@ -40,8 +40,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchEnclose : public vtkOversketchFilter
 {
 public:
@@ -67,18 +65,14 @@ public:
 
 protected:
   vtkOversketchEnclose();
-  ~vtkOversketchEnclose() override;
+  ~vtkOversketchEnclose() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchEnclose(const vtkOversketchEnclose&) = delete;
-  void operator=(const vtkOversketchEnclose&) = delete;
-
   vtkIdType GrowthCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -21,7 +21,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -79,17 +78,6 @@ constexpr int mostSamples = 2048; // for a mixture
 // How far from a seed a sample for the mixture of too few seeds may lie, along edges, of half the bounding
 // box's diagonal: the paper's tolerance, whose unit is not told.
 constexpr double seedTolerance = 0.1;
-
-std::vector<double> Pick(const std::vector<double>& values, const std::vector<int>& indices)
-{
-  std::vector<double> picked;
-  picked.reserve(indices.size());
-  for (int i : indices)
-  {
-    picked.push_back(values[static_cast<std::size_t>(i)]);
-  }
-  return picked;
-}
 
 // The vertices by how far they lie from the middle of their surface: the same order for a turned model.
 std::vector<int> Outwards(const Mesh& mesh,
@@ -257,7 +245,7 @@ std::vector<double> vtkOversketchMixtureRegion::Cache::Require(const std::vector
       this->Diameters[static_cast<std::size_t>(v)] = this->OnDemand->GetValue(v);
     }
   }
-  return Pick(this->Diameters, vertices);
+  return valuesAt(this->Diameters, vertices);
 }
 
 void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* self,
@@ -287,7 +275,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
   {
     const std::vector<double>& areas = this->PartsOf().areas;
     fitted = Outwards(mesh, areas, fitted);
-    std::vector<int> even = evenItems(Pick(areas, fitted), mostSamples);
+    std::vector<int> even = evenItems(valuesAt(areas, fitted), mostSamples);
     std::transform(even.begin(),
       even.end(),
       even.begin(),
@@ -300,7 +288,7 @@ void vtkOversketchMixtureRegion::Cache::FitWhole(vtkOversketchMixtureRegion* sel
   this->Range = samples.empty() ? 0.0 : *high - *low;
   if (!self->EvenSamples)
   {
-    samples = Pick(samples, drawWithoutReplacement(count, mostSamples, self->Seed));
+    samples = valuesAt(samples, drawWithoutReplacement(count, mostSamples, self->Seed));
   }
   std::transform(
     samples.begin(), samples.end(), samples.begin(), [this](double d) { return this->Scaled(d); });
@@ -325,7 +313,7 @@ Mixture vtkOversketchMixtureRegion::Cache::Foreground(vtkOversketchMixtureRegion
   samples =
     self->EvenSamples
       ? evenSamples(samples, mostSamples)
-      : Pick(samples, drawWithoutReplacement(static_cast<int>(samples.size()), mostSamples, self->Seed));
+      : valuesAt(samples, drawWithoutReplacement(static_cast<int>(samples.size()), mostSamples, self->Seed));
   return this->Fit(self, samples, std::clamp(static_cast<int>(samples.size()) / 3, 1, self->Components))
     .mixture;
 }
@@ -408,11 +396,7 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
     shift };
   const std::vector<char> region = detectRegion(
     mesh.Surface(), mesh.Neighbours(), mesh.Normals(), this->PartsOf(), evidence, options, growing);
-  std::vector<char> isSeed(region.size(), 0);
-  for (int seed : section.seeds)
-  {
-    isSeed[seed] = 1;
-  }
+  std::vector<char> isSeed = marksAt(section.seeds, region.size());
   if (this->OnDemand)
   {
     const std::vector<char> known = withinRings(mesh.Neighbours(), marked(region), knownRings);
@@ -452,14 +436,6 @@ void vtkOversketchMixtureRegion::Cache::Grow(vtkOversketchMixtureRegion* self,
 
 vtkStandardNewMacro(vtkOversketchMixtureRegion);
 
-vtkOversketchMixtureRegion::vtkOversketchMixtureRegion()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchMixtureRegion::~vtkOversketchMixtureRegion() = default;
-
 vtkDataArray* vtkOversketchMixtureRegion::Cache::Take(vtkPolyData* input)
 {
   this->Data = SharedMesh(input);
@@ -492,7 +468,7 @@ void vtkOversketchMixtureRegion::Cache::ProvideWhole(vtkOversketchMixtureRegion*
 void vtkOversketchMixtureRegion::Prepare()
 {
   auto* input = vtkPolyData::SafeDownCast(this->GetInputDataObject(0, 0));
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (input && input->GetNumberOfPoints() > 0)
   {
     RunFilter(this,
@@ -513,7 +489,7 @@ void vtkOversketchMixtureRegion::Execute(vtkInformationVector** inputs, vtkInfor
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Take(input);
   const Section section = SectionOf(
     handles, *cache.Data, this->SeedMargin, this->ReachEnds, this->ReachEnds || this->ConfineToSection);

@@ -61,8 +61,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchBackendFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchMixtureRegion : public vtkOversketchBackendFilter
 {
 public:
@@ -211,15 +209,12 @@ public:
   void Prepare();
 
 protected:
-  vtkOversketchMixtureRegion();
-  ~vtkOversketchMixtureRegion() override;
+  vtkOversketchMixtureRegion() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchMixtureRegion() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMixtureRegion(const vtkOversketchMixtureRegion&) = delete;
-  void operator=(const vtkOversketchMixtureRegion&) = delete;
-
   double Lambda = 0.2;
   double SeedMargin = 0.1;
   bool FillIslands = true;
@@ -237,7 +232,6 @@ private:
   vtkIdType WholeSampleCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -39,19 +39,12 @@ struct vtkOversketchRegionBorder::Cache
 
 vtkStandardNewMacro(vtkOversketchRegionBorder);
 
-vtkOversketchRegionBorder::vtkOversketchRegionBorder()
-  : Internals(new Cache)
-{
-}
-
-vtkOversketchRegionBorder::~vtkOversketchRegionBorder() = default;
-
 void vtkOversketchRegionBorder::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const vtkIdType count = input->GetNumberOfPoints();
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Data = SharedMesh(input);
   const std::string remedy = "find the region with vtkOversketchMixtureRegion";
   vtkDataArray* region = RequireArray(input->GetPointData(), "Region", 1, count, "mesh", remedy);

@@ -32,8 +32,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchRegionBorder : public vtkOversketchFilter
 {
 public:
@@ -64,21 +62,17 @@ public:
   vtkGetMacro(SmoothingCount, vtkIdType);
 
 protected:
-  vtkOversketchRegionBorder();
-  ~vtkOversketchRegionBorder() override;
+  vtkOversketchRegionBorder() = default;
+  ~vtkOversketchRegionBorder() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRegionBorder(const vtkOversketchRegionBorder&) = delete;
-  void operator=(const vtkOversketchRegionBorder&) = delete;
-
   bool Confine = true;
   int Rings = 2;
   vtkIdType SmoothingCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -13,7 +13,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <algorithm>
 #include <tuple>
 
 using namespace oversketch;
@@ -52,13 +51,6 @@ void vtkOversketchDiametersOnDemand::Require(const std::vector<int>& points, con
 
 vtkStandardNewMacro(vtkOversketchShapeDiameter);
 
-vtkOversketchShapeDiameter::vtkOversketchShapeDiameter()
-  : Internals(new Cache)
-{
-}
-
-vtkOversketchShapeDiameter::~vtkOversketchShapeDiameter() = default;
-
 void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
@@ -71,7 +63,7 @@ void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInfor
     this->TurnCones,
     this->OnDemand,
     this->GetBackend());
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (!cache.Array || cache.Key != key || cache.Values != values)
   {
     cache.Array = nullptr;
@@ -116,7 +108,7 @@ void vtkOversketchShapeDiameter::Execute(vtkInformationVector** inputs, vtkInfor
 
 vtkIdType vtkOversketchShapeDiameter::GetTracedRayCount()
 {
-  auto* array = vtkOversketchDiametersOnDemand::SafeDownCast(this->Internals->Array);
+  auto* array = vtkOversketchDiametersOnDemand::SafeDownCast(this->Kept<Cache>().Array);
   return array ? static_cast<vtkIdType>(array->Result().raysCast) : this->TracedRayCount;
 }
 

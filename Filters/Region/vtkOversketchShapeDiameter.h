@@ -37,8 +37,6 @@
 #include "OversketchFiltersRegionModule.h" // For export macro
 #include "vtkOversketchBackendFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREGION_EXPORT vtkOversketchShapeDiameter : public vtkOversketchBackendFilter
 {
 public:
@@ -108,15 +106,12 @@ public:
   vtkIdType GetTracedRayCount();
 
 protected:
-  vtkOversketchShapeDiameter();
-  ~vtkOversketchShapeDiameter() override;
+  vtkOversketchShapeDiameter() = default;
+  ~vtkOversketchShapeDiameter() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchShapeDiameter(const vtkOversketchShapeDiameter&) = delete;
-  void operator=(const vtkOversketchShapeDiameter&) = delete;
-
   int RayCount = 32;
   double ConeAngle = 60.0;
   bool InverseAngleWeights = false;
@@ -126,7 +121,6 @@ private:
   vtkIdType TracedRayCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -6,7 +6,7 @@
 #include "vtkOversketchStellarCurves.h"
 #include "vtkOversketchStrokeThinning.h"
 #include "vtkOversketchSurfaceStroke.h"
-#include "vtkOversketchWeld.h"
+#include "vtkOversketchWeldedInput.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -52,35 +52,11 @@ FeatureCurves curvesWithCells(vtkPolyData* curves, vtkIdType triangles)
 
 struct vtkOversketchRelax::Inner
 {
-  // Inputs of the steps, changed only where theirs have: the mesh's triangles with repeated points welded.
-  vtkNew<vtkPolyData> Mesh, Strokes;
-  std::unique_ptr<Weld> Welding;
+  WeldedInput Input;
+  vtkNew<vtkPolyData> Strokes; // changed only where the input has
   vtkNew<vtkOversketchStrokeThinning> Thinning;
   vtkNew<vtkOversketchSurfaceStroke> Curves;
-  KeptOutput Kept;
 
-  void FeedMesh(vtkPolyData* mesh)
-  {
-    RequirePolygonsOnly(mesh); // the key does not see other cells
-    if (this->Welding && this->MeshSeen == MeshKey(mesh))
-    {
-      return;
-    }
-    vtkNew<vtkPolyData> bare; // of attributes, which would have to be told apart at seams
-    bare->SetPoints(mesh->GetPoints());
-    bare->SetPolys(mesh->GetPolys());
-    this->Welding = std::make_unique<Weld>(bare);
-    this->MeshSeen = MeshKey(mesh);
-    this->Mesh->ShallowCopy(this->Welding->Welded());
-  }
-  // The mask of each vertex.
-  std::vector<double> MaskOfVertices(vtkPolyData* mesh) const
-  {
-    vtkNew<vtkPolyData> masked;
-    masked->ShallowCopy(this->Mesh);
-    this->Welding->PutMask(mesh, masked);
-    return MaskOf(masked);
-  }
   void FeedStrokes(vtkPolyData* strokes)
   {
     if (strokes->GetNumberOfPoints() == 0 || strokes->GetNumberOfCells() == 0)
@@ -118,42 +94,35 @@ struct vtkOversketchRelax::Inner
   }
 
 private:
-  MeshKey MeshSeen, StrokesSeen;
+  MeshKey StrokesSeen;
 };
 
 vtkStandardNewMacro(vtkOversketchRelax);
 
 vtkOversketchRelax::vtkOversketchRelax()
-  : Internals(new Inner)
 {
   this->SetNumberOfInputPorts(2);
-  this->Internals->Thinning->SetInputData(0, this->Internals->Strokes);
-  this->Internals->Curves->SetInputConnection(0, this->Internals->Thinning->GetOutputPort());
-  this->Internals->Curves->SetMeshData(this->Internals->Mesh);
-  this->AddStage("Thinning", this->Internals->Thinning, 0.01);
-  this->AddStage("Curves", this->Internals->Curves, 0.4);
+  Inner& inner = this->Kept<Inner>();
+  inner.Thinning->SetInputData(0, inner.Strokes);
+  inner.Curves->SetInputConnection(0, inner.Thinning->GetOutputPort());
+  inner.Curves->SetMeshData(inner.Input.Geometry());
+  this->AddStage("Thinning", inner.Thinning, 0.01);
+  this->AddStage("Curves", inner.Curves, 0.4);
 }
-
-vtkOversketchRelax::~vtkOversketchRelax() = default;
 
 int vtkOversketchRelax::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  Inner& inner = *this->Internals;
+  Inner& inner = this->Kept<Inner>();
   inner.Made = nullptr;
-  return this->RunSystem(
-    [&]
+  return this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       RequireFinite(this->Radius, "Radius");
       inner.FeedStrokes(vtkPolyData::GetData(inputs[1]));
-      inner.FeedMesh(mesh);
+      inner.Input.Feed(mesh);
       this->RunStage("Thinning");
       this->RunStage("Curves");
       vtkPolyData* curves = this->StageOutput("Curves");
@@ -162,17 +131,16 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
       options.strength = this->Strength;
       options.usePressure = this->UsePressure;
       options.featureAngle = this->FeatureAngle;
-      options.mask = inner.MaskOfVertices(mesh);
+      options.mask = inner.Input.MaskOfVertices(mesh);
       const StepKey key({ WholeKey(mesh), WholeKey(curves) },
         { options.radius, options.strength, options.usePressure ? 1.0 : 0.0, options.featureAngle });
-      inner.Kept.Provide(key,
+      this->Kept<KeptOutput>().Provide(key,
         output,
         [&](vtkPolyData* result)
         {
           ++this->RelaxCount;
           const Context context = ContextOf(this, this->GetDone(), 1.0);
-          const std::shared_ptr<const MeshData> data = SharedMesh(inner.Mesh);
-          const Mesh& surface = data->Surface();
+          const Mesh& surface = inner.Input.Data().Surface();
           const RelaxBand band =
             relaxBand(surface, curvesWithCells(curves, surface.triangleCount()), options, context);
           const auto moves = [](double share) { return share > 0.0; };
@@ -187,20 +155,12 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
                                      "where the mesh is finer, or beside the mask.",
               options.radius);
           }
-          const std::vector<Vector3> places = relaxed(band, context);
-          vtkNew<vtkPoints> points;
-          points->SetDataTypeToDouble();
-          points->DeepCopy(inner.Mesh->GetPoints());
+          std::vector<Vector3> places = relaxed(band, context);
           for (std::size_t i = 0; i < places.size(); ++i)
           {
-            if (moves(band.share[i]))
-            {
-              points->SetPoint(band.part.vertices[i], places[i].data());
-            }
+            places[i] = moves(band.share[i]) ? places[i] : surface.points[band.part.vertices[i]];
           }
-          vtkNew<vtkPolyData> moved;
-          moved->SetPoints(points);
-          inner.Welding->Move(mesh, moved, result);
+          inner.Input.Move(mesh, band.part.vertices, places, result);
           inner.Compare(mesh, result);
         });
       inner.Made = std::make_unique<Inner::Result>();
@@ -211,37 +171,30 @@ int vtkOversketchRelax::RequestData(vtkInformation*,
 
 bool vtkOversketchRelax::Prepare()
 {
-  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
-  if (!mesh || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
-    [&]
+  return this->TryPrepare(
+    [this](vtkPolyData* mesh)
     {
-      this->Internals->FeedMesh(mesh);
-      this->RunStage("Curves", [this] { this->Internals->Curves->Prepare(); });
-      return true;
+      Inner& inner = this->Kept<Inner>();
+      inner.Input.Feed(mesh);
+      this->RunStage("Curves", [&inner] { inner.Curves->Prepare(); });
     });
 }
 
 bool vtkOversketchRelax::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPolyData* hold)
 {
-  hold->Initialize();
-  if (!mesh || !stroke || mesh->GetNumberOfPoints() == 0)
-  {
-    return false;
-  }
-  return this->Try(
+  return this->TryPreview(mesh,
+    stroke,
+    hold,
     [&]
     {
-      this->Internals->FeedMesh(mesh);
+      Inner& inner = this->Kept<Inner>();
+      inner.Input.Feed(mesh);
       if (stroke->GetNumberOfPoints() < 2)
       {
-        this->RunStage("Curves", [this] { this->Internals->Curves->Prepare(); });
+        this->RunStage("Curves", [&inner] { inner.Curves->Prepare(); });
         return false;
       }
-      this->Internals->FeedStrokes(stroke);
+      inner.FeedStrokes(stroke);
       this->RunStage("Thinning");
       this->RunStage("Curves");
       hold->ShallowCopy(this->StageOutput("Curves"));
@@ -252,30 +205,30 @@ bool vtkOversketchRelax::Preview(vtkPolyData* mesh, vtkPolyData* stroke, vtkPoly
 void vtkOversketchRelax::GetHold(vtkPolyData* hold)
 {
   hold->Initialize();
-  if (this->Internals->Made)
+  if (this->Kept<Inner>().Made)
   {
-    hold->ShallowCopy(this->Internals->Made->Curves);
+    hold->ShallowCopy(this->Kept<Inner>().Made->Curves);
   }
 }
 
 void vtkOversketchRelax::GetRegion(vtkPolyData* region)
 {
   region->Initialize();
-  if (this->Internals->Made)
+  if (this->Kept<Inner>().Made)
   {
-    PutTriangles(this->Internals->Made->Output, this->Internals->Moved, 1, region);
+    PutTriangles(this->Kept<Inner>().Made->Output, this->Kept<Inner>().Moved, 1, region);
   }
 }
 
 vtkOversketchSystem::FigureList vtkOversketchRelax::Figures()
 {
-  if (!this->Internals->Made)
+  if (!this->Kept<Inner>().Made)
   {
     return {};
   }
-  const std::vector<char>& moved = this->Internals->Moved;
+  const std::vector<char>& moved = this->Kept<Inner>().Moved;
   return { { "moved", static_cast<vtkIdType>(std::count(moved.begin(), moved.end(), 1)) },
-    { "farthest", this->Internals->Farthest } };
+    { "farthest", this->Kept<Inner>().Farthest } };
 }
 
 void vtkOversketchRelax::PrintSelf(ostream& os, vtkIndent indent)

@@ -39,8 +39,6 @@
 #include "OversketchFiltersRelaxModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSRELAX_EXPORT vtkOversketchRelax : public vtkOversketchSystem
 {
 public:
@@ -102,14 +100,11 @@ public:
 
 protected:
   vtkOversketchRelax();
-  ~vtkOversketchRelax() override;
+  ~vtkOversketchRelax() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRelax(const vtkOversketchRelax&) = delete;
-  void operator=(const vtkOversketchRelax&) = delete;
-
   double Radius = -1.0;
   double Strength = 1.0;
   bool UsePressure = true;
@@ -117,7 +112,6 @@ private:
   vtkIdType RelaxCount = 0;
 
   struct Inner;
-  std::unique_ptr<Inner> Internals;
 };
 
 #endif

@@ -31,10 +31,6 @@
 using namespace oversketch;
 
 // The last result.
-struct vtkOversketchInsertCurve::Cache : KeptOutput
-{
-};
-
 namespace
 {
 
@@ -234,14 +230,11 @@ void writeCurves(const std::vector<MeshCurve>& curves,
 vtkStandardNewMacro(vtkOversketchInsertCurve);
 
 vtkOversketchInsertCurve::vtkOversketchInsertCurve()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchInsertCurve::~vtkOversketchInsertCurve() = default;
 
 void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -265,7 +258,7 @@ void vtkOversketchInsertCurve::Execute(vtkInformationVector** inputs, vtkInforma
       static_cast<double>(this->Gap),
       this->JoinRuns ? 1.0 : 0.0,
       this->Clean ? 1.0 : 0.0 });
-  this->Internals->Provide(key,
+  this->Kept<KeptOutput>().Provide(key,
     { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1), vtkPolyData::GetData(outputs, 2) },
     [&](const KeptOutput::Outputs& made)
     {

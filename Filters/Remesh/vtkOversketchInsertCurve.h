@@ -44,8 +44,6 @@
 #include "OversketchFiltersRemeshModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchInsertCurve : public vtkOversketchFilter
 {
 public:
@@ -143,14 +141,11 @@ public:
 
 protected:
   vtkOversketchInsertCurve();
-  ~vtkOversketchInsertCurve() override;
+  ~vtkOversketchInsertCurve() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchInsertCurve(const vtkOversketchInsertCurve&) = delete;
-  void operator=(const vtkOversketchInsertCurve&) = delete;
-
   bool Snap = true;
   bool EmbedSegments = true;
   bool Bridge = true;
@@ -159,9 +154,6 @@ private:
   bool Clean = true;
   int BridgeCount = 0;
   vtkIdType InsertionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -38,10 +38,6 @@ protected:
   ~vtkOversketchMeanEdge() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  vtkOversketchMeanEdge(const vtkOversketchMeanEdge&) = delete;
-  void operator=(const vtkOversketchMeanEdge&) = delete;
 };
 
 #endif

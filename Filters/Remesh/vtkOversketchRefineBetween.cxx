@@ -20,10 +20,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRefineBetween::Cache : KeptOutput
-{
-};
-
 namespace
 {
 
@@ -72,14 +68,11 @@ void writeRefined(const Refined& refined, vtkPolyData* input, vtkPolyData* outpu
 vtkStandardNewMacro(vtkOversketchRefineBetween);
 
 vtkOversketchRefineBetween::vtkOversketchRefineBetween()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 1, { Port::Optional });
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchRefineBetween::~vtkOversketchRefineBetween() = default;
 
 void vtkOversketchRefineBetween::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -94,7 +87,8 @@ void vtkOversketchRefineBetween::Execute(vtkInformationVector** inputs, vtkInfor
     return;
   }
   RequirePolygonsOnly(mesh); // the key does not see other cells
-  this->Internals->Provide(StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey({ WholeKey(mesh), WholeKey(line), WholeKey(ring) }, { this->Edges }),
     output,
     [&](vtkPolyData* result)
     {

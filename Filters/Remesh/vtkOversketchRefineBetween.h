@@ -34,8 +34,6 @@
 #include "OversketchFiltersRemeshModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRefineBetween : public vtkOversketchFilter
 {
 public:
@@ -64,18 +62,12 @@ public:
 
 protected:
   vtkOversketchRefineBetween();
-  ~vtkOversketchRefineBetween() override;
+  ~vtkOversketchRefineBetween() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRefineBetween(const vtkOversketchRefineBetween&) = delete;
-  void operator=(const vtkOversketchRefineBetween&) = delete;
-
   double Edges = 7.0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

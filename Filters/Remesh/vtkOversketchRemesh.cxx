@@ -340,18 +340,15 @@ void vtkOversketchRemesh::Cache::WriteHandles(vtkPolyData* handles, vtkPolyData*
 vtkStandardNewMacro(vtkOversketchRemesh);
 
 vtkOversketchRemesh::vtkOversketchRemesh()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
 
-vtkOversketchRemesh::~vtkOversketchRemesh() = default;
-
 void vtkOversketchRemesh::ReleaseWork()
 {
-  *this->Internals = Cache();
+  this->Kept<Cache>() = Cache();
   for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
     this->GetOutputDataObject(port)->ReleaseData();
@@ -363,7 +360,7 @@ void vtkOversketchRemesh::Execute(vtkInformationVector** inputs, vtkInformationV
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* handles = vtkPolyData::GetData(inputs[1]);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   const Cache::Question question = Cache::Read(this, input, handles);
   if (!cache.Points || cache.Key != question.Key)
   {

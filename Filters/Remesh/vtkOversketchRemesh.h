@@ -83,8 +83,6 @@
 #include "OversketchFiltersRemeshModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSREMESH_EXPORT vtkOversketchRemesh : public vtkOversketchFilter
 {
 public:
@@ -195,14 +193,11 @@ public:
 
 protected:
   vtkOversketchRemesh();
-  ~vtkOversketchRemesh() override;
+  ~vtkOversketchRemesh() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRemesh(const vtkOversketchRemesh&) = delete;
-  void operator=(const vtkOversketchRemesh&) = delete;
-
   int Stage = Stretch;
   int Iterations = 5;
   bool LimitByDiameter = true;
@@ -216,7 +211,6 @@ private:
   vtkIdType RemeshCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -257,14 +257,11 @@ void vtkOversketchRetriangulate::Cache::Make(vtkOversketchRetriangulate* self,
 vtkStandardNewMacro(vtkOversketchRetriangulate);
 
 vtkOversketchRetriangulate::vtkOversketchRetriangulate()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(3);
   DeclareInput(this, 3, { Port::Optional });
 }
-
-vtkOversketchRetriangulate::~vtkOversketchRetriangulate() = default;
 
 void vtkOversketchRetriangulate::SetMotion(std::shared_ptr<const Motion> motion)
 {
@@ -280,7 +277,7 @@ void vtkOversketchRetriangulate::Execute(vtkInformationVector** inputs, vtkInfor
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* const curves[2] = { vtkPolyData::GetData(inputs[1]), vtkPolyData::GetData(inputs[2]) };
   vtkPolyData* rest = this->Rule == Edit ? vtkPolyData::GetData(inputs[3]) : nullptr;
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   const StepKey key(
     { WholeKey(mesh), WholeKey(curves[0]), WholeKey(curves[1]), rest ? MeshKey(rest) : MeshKey() },
     { static_cast<double>(this->Rule) });

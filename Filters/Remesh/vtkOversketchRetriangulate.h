@@ -108,21 +108,17 @@ public:
 
 protected:
   vtkOversketchRetriangulate();
-  ~vtkOversketchRetriangulate() override;
+  ~vtkOversketchRetriangulate() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRetriangulate(const vtkOversketchRetriangulate&) = delete;
-  void operator=(const vtkOversketchRetriangulate&) = delete;
-
   int Rule = Edit;
   std::shared_ptr<const oversketch::Motion> Known;
   vtkIdType OperationCount = 0;
   vtkIdType RetriangulationCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

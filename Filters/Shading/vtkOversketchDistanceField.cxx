@@ -13,11 +13,6 @@
 
 using namespace oversketch;
 
-// The last fields, and what they were made of.
-struct vtkOversketchDistanceField::Cache : KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>>
-{
-};
-
 vtkStandardNewMacro(vtkOversketchDistanceField);
 
 namespace
@@ -52,14 +47,6 @@ void requireSmoothing(double value, const char* name)
 
 } // namespace
 
-vtkOversketchDistanceField::vtkOversketchDistanceField()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchDistanceField::~vtkOversketchDistanceField() = default;
-
 void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
@@ -72,7 +59,7 @@ void vtkOversketchDistanceField::Execute(vtkInformationVector** inputs, vtkInfor
   rules.parameterSmoothing = this->AsPublished ? 0.0 : this->ParameterSmoothing;
   const StepKey key({ InsideKey(mesh), ChainsKey(reference) },
     { static_cast<double>(rules.straight), rules.smoothing, rules.parameterSmoothing });
-  const auto& arrays = this->Internals->Provide(key,
+  const auto& arrays = this->Kept<KeptValue<std::vector<vtkSmartPointer<vtkDataArray>>>>().Provide(key,
     [&]
     {
       ++this->FieldCount;

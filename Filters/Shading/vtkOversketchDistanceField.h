@@ -33,8 +33,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchDistanceField : public vtkOversketchFilter
 {
 public:
@@ -95,23 +93,17 @@ public:
   vtkGetMacro(FieldCount, vtkIdType);
 
 protected:
-  vtkOversketchDistanceField();
-  ~vtkOversketchDistanceField() override;
+  vtkOversketchDistanceField() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchDistanceField() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchDistanceField(const vtkOversketchDistanceField&) = delete;
-  void operator=(const vtkOversketchDistanceField&) = delete;
-
   int Measure = SURFACE;
   double FieldSmoothing = 0.15;
   double ParameterSmoothing = 0.3;
   bool AsPublished = false;
   vtkIdType FieldCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -105,13 +105,10 @@ void layOnDisc(vtkPolyData* curve,
 } // namespace
 
 vtkOversketchFlatten::vtkOversketchFlatten()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
 }
-
-vtkOversketchFlatten::~vtkOversketchFlatten() = default;
 
 void vtkOversketchFlatten::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -120,7 +117,7 @@ void vtkOversketchFlatten::Execute(vtkInformationVector** inputs, vtkInformation
   const int rounds = this->AsPublished ? 0 : balancingRounds;
   const std::vector<int> chain = VerticesOnce(ReadChain(reference, mesh, "reference curve"));
   const StepKey key({ InsideKey(mesh) }, { static_cast<double>(this->AsPublished) });
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (!cache.Made || cache.Key != key)
   {
     cache.Made = false; // so that nothing stale is left when making fails

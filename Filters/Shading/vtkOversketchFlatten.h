@@ -37,8 +37,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchFlatten : public vtkOversketchFilter
 {
 public:
@@ -76,19 +74,15 @@ public:
 
 protected:
   vtkOversketchFlatten();
-  ~vtkOversketchFlatten() override;
+  ~vtkOversketchFlatten() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchFlatten(const vtkOversketchFlatten&) = delete;
-  void operator=(const vtkOversketchFlatten&) = delete;
-
   bool AsPublished = false;
   vtkIdType FlattenCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -121,13 +121,10 @@ vtkSmartPointer<vtkImageData> maskOf(const std::vector<Polyline>& outlines, int 
 } // namespace
 
 vtkOversketchScanFill::vtkOversketchScanFill()
-  : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
   DeclareOutput(this, 1, { Port::Image });
 }
-
-vtkOversketchScanFill::~vtkOversketchScanFill() = default;
 
 vtkImageData* vtkOversketchScanFill::GetMaskOutput()
 {
@@ -146,7 +143,7 @@ void vtkOversketchScanFill::Execute(vtkInformationVector** inputs, vtkInformatio
 {
   vtkPolyData* strokes = vtkPolyData::GetData(inputs[0]);
   const StepKey key({ WholeKey(strokes) }, { static_cast<double>(this->Resolution) });
-  const auto& [areas, mask] = this->Internals->Provide(key,
+  const auto& [areas, mask] = this->Kept<Cache>().Provide(key,
     [&]
     {
       ++this->FillCount;

@@ -32,8 +32,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class vtkImageData;
 
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchScanFill : public vtkOversketchFilter
@@ -63,20 +61,16 @@ public:
 
 protected:
   vtkOversketchScanFill();
-  ~vtkOversketchScanFill() override;
+  ~vtkOversketchScanFill() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchScanFill(const vtkOversketchScanFill&) = delete;
-  void operator=(const vtkOversketchScanFill&) = delete;
-
   int Resolution = 512;
   vtkIdType FillCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -127,7 +127,6 @@ struct vtkOversketchShadingLevels::Cache
 vtkStandardNewMacro(vtkOversketchShadingLevels);
 
 vtkOversketchShadingLevels::vtkOversketchShadingLevels()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
@@ -135,8 +134,6 @@ vtkOversketchShadingLevels::vtkOversketchShadingLevels()
   DeclareOutput(this, 1, { Port::Image });
   DeclareOutput(this, 2, { Port::Image });
 }
-
-vtkOversketchShadingLevels::~vtkOversketchShadingLevels() = default;
 
 void vtkOversketchShadingLevels::SetLayers(const char* text)
 {
@@ -179,7 +176,7 @@ void vtkOversketchShadingLevels::Execute(vtkInformationVector** inputs, vtkInfor
   vtkImageData* image = vtkImageData::GetData(outputs, 1);
   vtkImageData* display = vtkImageData::GetData(outputs, 2);
   this->Shade(mesh, disc, areas);
-  const Cache& cache = *this->Internals;
+  const Cache& cache = this->Kept<Cache>();
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   output->ShallowCopy(mesh);
   output->GetPointData()->AddArray(cache.Weights);
@@ -207,7 +204,7 @@ void vtkOversketchShadingLevels::Shade(vtkPolyData* mesh, vtkPolyData* disc, vtk
   std::vector<double> values{ size, areaSize, feather, static_cast<double>(linear), double(this->Levels) };
   AddText(values, this->Layers);
   const StepKey key(areaKeys, values);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (cache.Weights && cache.Key == key)
   {
     return;
@@ -278,7 +275,7 @@ void vtkOversketchShadingLevels::Paint(vtkIdType points,
   texels->FillValue(0.0f);
   greys->SetNumberOfValues(texels->GetNumberOfValues());
   greys->FillValue(0);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   const Context context = ContextOf(this);
   const Shading shading(whole, areas, falloff);
   const std::vector<double> values = shading.weights(cache.Places, context);

@@ -37,7 +37,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -145,16 +144,13 @@ public:
 
 protected:
   vtkOversketchShadingLevels();
-  ~vtkOversketchShadingLevels() override;
+  ~vtkOversketchShadingLevels() override = default;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchShadingLevels(const vtkOversketchShadingLevels&) = delete;
-  void operator=(const vtkOversketchShadingLevels&) = delete;
-
   // Fills the cache where it does not answer.
   void Shade(vtkPolyData* mesh, vtkPolyData* disc, vtkImageData* areas);
   void Paint(vtkIdType points,
@@ -171,7 +167,6 @@ private:
   vtkIdType ShadeCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

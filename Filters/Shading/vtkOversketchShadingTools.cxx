@@ -60,11 +60,7 @@ InsidePatch InsideOf(vtkPolyData* mesh, bool withRing)
   }
   else
   {
-    std::vector<char> strictly(whole.points.size(), 0);
-    for (const int v : within)
-    {
-      strictly[v] = 1;
-    }
+    std::vector<char> strictly = marksAt(within, whole.points.size());
     markAt(strictly);
   }
   if (withRing)

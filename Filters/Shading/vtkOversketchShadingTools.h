@@ -12,7 +12,6 @@
 #include <string>
 #include <vector>
 
-class vtkAlgorithm;
 class vtkDataArray;
 class vtkImageData;
 class vtkInformation;

@@ -15,11 +15,6 @@
 
 using namespace oversketch;
 
-// The last weights, and what they were read from.
-struct vtkOversketchTextureToWeight::Cache : KeptValue<vtkSmartPointer<vtkDoubleArray>>
-{
-};
-
 vtkStandardNewMacro(vtkOversketchTextureToWeight);
 
 namespace
@@ -90,13 +85,10 @@ private:
 } // namespace
 
 vtkOversketchTextureToWeight::vtkOversketchTextureToWeight()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Image });
 }
-
-vtkOversketchTextureToWeight::~vtkOversketchTextureToWeight() = default;
 
 int vtkOversketchTextureToWeight::RequestUpdateExtent(vtkInformation* request,
   vtkInformationVector** inputs,
@@ -118,7 +110,7 @@ void vtkOversketchTextureToWeight::Execute(vtkInformationVector** inputs, vtkInf
     { ArraysKey(
       { data->GetArray("EditRegion"), data->GetArray("DiscCoords"), image->GetPointData()->GetScalars() }) },
     { static_cast<double>(image->GetDimensions()[0]) });
-  vtkDataArray* weights = this->Internals->Provide(key,
+  vtkDataArray* weights = this->Kept<KeptValue<vtkSmartPointer<vtkDoubleArray>>>().Provide(key,
     [&]
     {
       const std::vector<char> labels = ReadEditRegion(mesh);

@@ -29,8 +29,6 @@
 #include "OversketchFiltersShadingModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSHADING_EXPORT vtkOversketchTextureToWeight : public vtkOversketchFilter
 {
 public:
@@ -45,17 +43,10 @@ public:
 
 protected:
   vtkOversketchTextureToWeight();
-  ~vtkOversketchTextureToWeight() override;
+  ~vtkOversketchTextureToWeight() override = default;
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  vtkOversketchTextureToWeight(const vtkOversketchTextureToWeight&) = delete;
-  void operator=(const vtkOversketchTextureToWeight&) = delete;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -92,19 +92,6 @@ Origins OriginsOnSurface(const Forest& forest,
 
 } // namespace
 
-vtkOversketchStellarBase::vtkOversketchStellarBase()
-  : Internals(new Cache)
-{
-  this->SetNumberOfOutputPorts(2);
-}
-
-vtkOversketchStellarBase::~vtkOversketchStellarBase() = default;
-
-vtkPolyData* vtkOversketchStellarBase::GetSourceOutput()
-{
-  return this->GetOutput(1);
-}
-
 void vtkOversketchStellarBase::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
@@ -113,7 +100,7 @@ void vtkOversketchStellarBase::Execute(vtkInformationVector** inputs, vtkInforma
   vtkPolyData* source = vtkPolyData::GetData(outputs, 1);
   source->Initialize(); // the pipeline passed field data
   const Context context = ContextOf(this);
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   cache.Passed = nullptr;
   if (HasStellarArrays(input))
   {

@@ -42,8 +42,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarBase : public vtkOversketchFilter
 {
 public:
@@ -54,7 +52,7 @@ public:
   /**
    * Output 1.
    */
-  vtkPolyData* GetSourceOutput();
+  vtkPolyData* GetSourceOutput() { return this->GetOutput(1); }
 
   enum ModeType
   {
@@ -117,23 +115,18 @@ public:
   vtkGetMacro(Unpaired, int);
   ///@}
 
-  ///@{
   /**
    * How many bases have been made: executions that neither the kept result nor the input itself answered.
    */
   vtkGetMacro(BaseCount, vtkIdType);
-  ///@}
 
 protected:
-  vtkOversketchStellarBase();
-  ~vtkOversketchStellarBase() override;
+  vtkOversketchStellarBase() { this->SetNumberOfOutputPorts(2); }
+  ~vtkOversketchStellarBase() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarBase(const vtkOversketchStellarBase&) = delete;
-  void operator=(const vtkOversketchStellarBase&) = delete;
-
   int Mode = Direct;
   int TargetFaces = 0;
   double MaximumError = 0.0;
@@ -143,7 +136,6 @@ private:
   vtkIdType BaseCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

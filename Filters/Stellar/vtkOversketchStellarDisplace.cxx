@@ -71,13 +71,10 @@ int CountCuts(vtkPolyData* before, vtkPolyData* after, const Context& context)
 } // namespace
 
 vtkOversketchStellarDisplace::vtkOversketchStellarDisplace()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchStellarDisplace::~vtkOversketchStellarDisplace() = default;
 
 void vtkOversketchStellarDisplace::SetProfile(const char* text)
 {
@@ -92,7 +89,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
     return;
   }
   vtkPolyData* sketch = step.third;
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   RequireFinite(this->Height, "Height");
   RequireFinite(this->Taper, "Taper");
   const std::vector<double> reach{
@@ -125,7 +122,7 @@ void vtkOversketchStellarDisplace::Execute(vtkInformationVector** inputs, vtkInf
     cache.ReachKey = StepKey();
   }
   const vtkIdType done = this->DisplaceCount;
-  this->Internals->Step.Provide(step,
+  this->Kept<Cache>().Step.Provide(step,
     { sketch ? WholeKey(sketch) : MeshKey(), MaskKey(step.mesh) },
     values,
     &curves,

@@ -36,7 +36,6 @@
 #include "vtkOversketchFilter.h"
 
 #include <limits>
-#include <memory>
 #include <string>
 
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarDisplace : public vtkOversketchFilter
@@ -223,14 +222,11 @@ public:
 
 protected:
   vtkOversketchStellarDisplace();
-  ~vtkOversketchStellarDisplace() override;
+  ~vtkOversketchStellarDisplace() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarDisplace(const vtkOversketchStellarDisplace&) = delete;
-  void operator=(const vtkOversketchStellarDisplace&) = delete;
-
   double Radius = -1.0, Height = 0.0, Sharpness = 1.5, Taper = 0.0;
   std::string Profile;
   int Distance = Straight, Normals = Base, Combine = Nearest;
@@ -244,7 +240,6 @@ private:
   vtkIdType DisplaceCount = 0, DistanceCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -51,13 +51,10 @@ struct vtkOversketchStellarRefine::Cache
 vtkStandardNewMacro(vtkOversketchStellarRefine);
 
 vtkOversketchStellarRefine::vtkOversketchStellarRefine()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchStellarRefine::~vtkOversketchStellarRefine() = default;
 
 void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -76,7 +73,7 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
     static_cast<double>(this->MaximumGeneration),
     static_cast<double>(this->MaximumFaces) };
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step,
+  this->Kept<Cache>().Step.Provide(step,
     { SourceKey(step), MaskKey(step.mesh) },
     values,
     &curves,
@@ -96,8 +93,8 @@ void vtkOversketchStellarRefine::Execute(vtkInformationVector** inputs, vtkInfor
       options.maximumFaces = this->MaximumFaces;
       options.staying = { MaskedPointsOf(step.mesh) };
       Forest forest = before.roomyCopy();
-      this->Internals->GiveNormals(step.mesh, forest, step.context);
-      const Source source = SourceOf(step, before, this->Internals->Surface);
+      this->Kept<Cache>().GiveNormals(step.mesh, forest, step.context);
+      const Source source = SourceOf(step, before, this->Kept<Cache>().Surface);
       int sweeps = 0;
       forest = refine(std::move(forest), curves, options, source, step.context, &sweeps);
       this->Sweeps = sweeps;

@@ -35,8 +35,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarRefine : public vtkOversketchFilter
 {
 public:
@@ -145,30 +143,23 @@ public:
   vtkGetMacro(MaximumFaces, int);
   ///@}
 
-  ///@{
   /**
    * Sweeps of the last refinement: how many times all triangles were looked at.
    */
   vtkGetMacro(Sweeps, int);
-  ///@}
 
-  ///@{
   /**
    * How many times a mesh has been refined: executions that the kept result did not answer.
    */
   vtkGetMacro(RefineCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarRefine();
-  ~vtkOversketchStellarRefine() override;
+  ~vtkOversketchStellarRefine() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarRefine(const vtkOversketchStellarRefine&) = delete;
-  void operator=(const vtkOversketchStellarRefine&) = delete;
-
   double Radius = -1.0;
   double Sharpness = 1.5;
   double TargetEdgeLength = 0.0;
@@ -182,7 +173,6 @@ private:
   vtkIdType RefineCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

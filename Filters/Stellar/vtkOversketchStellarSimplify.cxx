@@ -14,24 +14,17 @@
 
 using namespace oversketch;
 
-struct vtkOversketchStellarSimplify::Cache : StellarStep
-{
-};
-
 vtkStandardNewMacro(vtkOversketchStellarSimplify);
 
 vtkOversketchStellarSimplify::vtkOversketchStellarSimplify()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
 
-vtkOversketchStellarSimplify::~vtkOversketchStellarSimplify() = default;
-
 vtkIdType vtkOversketchStellarSimplify::GetInputPoint(vtkIdType point) const
 {
-  const std::vector<int>& from = this->Internals->PointFrom();
+  const std::vector<int>& from = this->Kept<StellarStep>().PointFrom();
   return point >= 0 && point < static_cast<vtkIdType>(from.size()) ? from[static_cast<std::size_t>(point)]
                                                                    : -1;
 }
@@ -47,7 +40,7 @@ void vtkOversketchStellarSimplify::Execute(vtkInformationVector** inputs, vtkInf
   {
     step.curves = nullptr;
   }
-  this->Internals->Provide(step,
+  this->Kept<StellarStep>().Provide(step,
     { MaskKey(step.mesh) },
     { this->Tolerance,
       this->Radius,

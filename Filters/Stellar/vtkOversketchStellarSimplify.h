@@ -29,8 +29,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSimplify : public vtkOversketchFilter
 {
 public:
@@ -87,44 +85,34 @@ public:
   vtkBooleanMacro(ConnectedOnly, bool);
   ///@}
 
-  ///@{
   /**
    * Vertices that the last simplification took away.
    */
   vtkGetMacro(Welded, int);
-  ///@}
 
   /**
    * Number that a point of the last output has in the input, -1 where there is no such point.
    */
   vtkIdType GetInputPoint(vtkIdType point) const;
 
-  ///@{
   /**
    * How many times a mesh has been simplified: executions that the kept result did not answer.
    */
   vtkGetMacro(SimplifyCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSimplify();
-  ~vtkOversketchStellarSimplify() override;
+  ~vtkOversketchStellarSimplify() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSimplify(const vtkOversketchStellarSimplify&) = delete;
-  void operator=(const vtkOversketchStellarSimplify&) = delete;
-
   double Tolerance = -1.0;
   double Radius = -1.0;
   int Distance = Straight;
   bool ConnectedOnly = true;
   int Welded = 0;
   vtkIdType SimplifyCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -12,22 +12,13 @@
 
 using namespace oversketch;
 
-struct vtkOversketchStellarSmooth::Cache
-{
-  StellarStep Step;
-  std::shared_ptr<const Source> Surface; // held for the next stroke
-};
-
 vtkStandardNewMacro(vtkOversketchStellarSmooth);
 
 vtkOversketchStellarSmooth::vtkOversketchStellarSmooth()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchStellarSmooth::~vtkOversketchStellarSmooth() = default;
 
 void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -38,7 +29,7 @@ void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInfor
   }
   const std::vector<double> values{ static_cast<double>(this->Rings), static_cast<double>(this->Iterations) };
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step,
+  this->Kept<StellarStep>().Provide(step,
     { SourceKey(step), PartsKey(step.mesh), MaskKey(step.mesh) },
     values,
     &curves,
@@ -52,7 +43,7 @@ void vtkOversketchStellarSmooth::Execute(vtkInformationVector** inputs, vtkInfor
       options.parts = PartsOf(step.mesh, before);
       options.staying = { MaskedPointsOf(step.mesh) };
       const MidpointRule rule =
-        midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
+        midpointRule(before, &curves, SourceOf(step, before, this->Kept<std::shared_ptr<const Source>>()));
       Forest forest = before;
       const SmoothReport report = smooth(forest, options, rule, step.context);
       this->Moved = report.moved;

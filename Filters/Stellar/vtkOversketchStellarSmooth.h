@@ -34,8 +34,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSmooth : public vtkOversketchFilter
 {
 public:
@@ -79,30 +77,22 @@ public:
   vtkGetMacro(Refused, int);
   ///@}
 
-  ///@{
   /**
    * How many times a mesh has been smoothed: executions that the kept result did not answer.
    */
   vtkGetMacro(SmoothCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSmooth();
-  ~vtkOversketchStellarSmooth() override;
+  ~vtkOversketchStellarSmooth() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSmooth(const vtkOversketchStellarSmooth&) = delete;
-  void operator=(const vtkOversketchStellarSmooth&) = delete;
-
   int Rings = 2;
   int Iterations = 1;
   int Moved = 0, Refused = 0;
   vtkIdType SmoothCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -14,22 +14,13 @@
 
 using namespace oversketch;
 
-struct vtkOversketchStellarSnap::Cache
-{
-  StellarStep Step;
-  std::shared_ptr<const Source> Surface; // held for the next stroke
-};
-
 vtkStandardNewMacro(vtkOversketchStellarSnap);
 
 vtkOversketchStellarSnap::vtkOversketchStellarSnap()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   DeclareInput(this, 2, { Port::Optional });
 }
-
-vtkOversketchStellarSnap::~vtkOversketchStellarSnap() = default;
 
 void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -45,7 +36,7 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
     values.insert(values.end(), { this->Radius, this->Sharpness, static_cast<double>(this->ConnectedOnly) });
   }
   const FeatureCurves curves = CurvesOf(step.curves);
-  this->Internals->Step.Provide(step,
+  this->Kept<StellarStep>().Provide(step,
     { SourceKey(step), PartsKey(step.mesh), MaskKey(step.mesh) },
     values,
     &curves,
@@ -59,7 +50,7 @@ void vtkOversketchStellarSnap::Execute(vtkInformationVector** inputs, vtkInforma
       options.parts = PartsOf(step.mesh, before);
       options.staying = { MaskedPointsOf(step.mesh) };
       const MidpointRule rule =
-        midpointRule(before, &curves, SourceOf(step, before, this->Internals->Surface));
+        midpointRule(before, &curves, SourceOf(step, before, this->Kept<std::shared_ptr<const Source>>()));
       Forest forest = before.roomyCopy();
       const SnapReport report = snap(forest, curves, options, rule, step.context);
       this->Crossings = report.crossings;

@@ -39,8 +39,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchStellarSnap : public vtkOversketchFilter
 {
 public:
@@ -136,30 +134,23 @@ public:
   vtkGetMacro(FacesAdded, int);
   ///@}
 
-  ///@{
   /**
    * Vertices of the last snapping that went to feet and their rims, or towards them.
    */
   vtkGetMacro(FootMoved, int);
-  ///@}
 
-  ///@{
   /**
    * How many times a mesh has been snapped: executions that the kept result did not answer.
    */
   vtkGetMacro(SnapCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchStellarSnap();
-  ~vtkOversketchStellarSnap() override;
+  ~vtkOversketchStellarSnap() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStellarSnap(const vtkOversketchStellarSnap&) = delete;
-  void operator=(const vtkOversketchStellarSnap&) = delete;
-
   int Order = Nearest;
   int MaximumResidualRounds = 2;
   bool SnapFoot = true;
@@ -168,9 +159,6 @@ private:
   bool ConnectedOnly = true;
   int Crossings = 0, Residual = 0, Snapped = 0, Refused = 0, FacesAdded = 0, FootMoved = 0;
   vtkIdType SnapCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <string>
 #include <type_traits>
 
 namespace oversketch

@@ -53,22 +53,9 @@ Message judged(const FilledSamples& samples, const Terrain& terrain, std::size_t
 vtkStandardNewMacro(vtkOversketchTerrain);
 
 vtkOversketchTerrain::vtkOversketchTerrain()
-  : Internals(new Cache)
 {
   this->SetNumberOfOutputPorts(2);
-}
-
-vtkOversketchTerrain::~vtkOversketchTerrain() = default;
-
-int vtkOversketchTerrain::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  return 1;
-}
-
-vtkPolyData* vtkOversketchTerrain::GetSourceOutput()
-{
-  return this->GetOutput(1);
+  DeclareInput(this, 0, { Port::Image });
 }
 
 int vtkOversketchTerrain::RequestData(vtkInformation*,
@@ -83,7 +70,7 @@ int vtkOversketchTerrain::RequestData(vtkInformation*,
       {
         return;
       }
-      Cache& cache = *this->Internals;
+      Cache& cache = this->Kept<Cache>();
       vtkDataArray* scalars = image->GetPointData()->GetScalars();
       const Context context = ContextOf(this);
       vtkNew<vtkPolyData> none; // of which arrays go to the terrain

@@ -37,8 +37,6 @@
 #include "OversketchFiltersStellarModule.h" // For export macro
 #include "vtkOversketchSystem.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTELLAR_EXPORT vtkOversketchTerrain : public vtkOversketchSystem
 {
 public:
@@ -49,7 +47,7 @@ public:
   /**
    * The source, on port 1.
    */
-  vtkPolyData* GetSourceOutput();
+  vtkPolyData* GetSourceOutput() { return this->GetOutput(1); }
 
   ///@{
   /**
@@ -99,24 +97,18 @@ public:
   vtkGetMacro(Offset, double);
   ///@}
 
-  ///@{
   /**
    * How many terrains have been made: executions that the kept result did not answer.
    */
   vtkGetMacro(TerrainCount, vtkIdType);
-  ///@}
 
 protected:
   vtkOversketchTerrain();
-  ~vtkOversketchTerrain() override;
+  ~vtkOversketchTerrain() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchTerrain(const vtkOversketchTerrain&) = delete;
-  void operator=(const vtkOversketchTerrain&) = delete;
-
   int Columns = 0;
   int Rows = 0;
   double QuadX = 0.0;
@@ -126,7 +118,6 @@ private:
   vtkIdType TerrainCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

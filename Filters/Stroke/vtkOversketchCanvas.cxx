@@ -14,10 +14,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchCanvas::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchCanvas);
 
 namespace
@@ -71,13 +67,10 @@ Canvas canvasOf(vtkPolyData* strokes, vtkImageData* picture)
 } // namespace
 
 vtkOversketchCanvas::vtkOversketchCanvas()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
-
-vtkOversketchCanvas::~vtkOversketchCanvas() = default;
 
 void vtkOversketchCanvas::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -85,7 +78,7 @@ void vtkOversketchCanvas::Execute(vtkInformationVector** inputs, vtkInformationV
   const std::vector<DrawnLine> lines = ReadStrokes(strokes, 1);
   const Canvas canvas = canvasOf(strokes, vtkImageData::GetData(inputs[1]));
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Internals->Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey({ CurvesKey(strokes, { "ViewTransform", "ProjectionTransform", "ViewportSize", "Closed" }) },
       { canvas.corner[0], canvas.corner[1], canvas.size[0], canvas.size[1] }),
     output,

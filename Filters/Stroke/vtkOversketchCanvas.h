@@ -47,8 +47,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchCanvas : public vtkOversketchFilter
 {
 public:
@@ -69,18 +67,12 @@ public:
 
 protected:
   vtkOversketchCanvas();
-  ~vtkOversketchCanvas() override;
+  ~vtkOversketchCanvas() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchCanvas(const vtkOversketchCanvas&) = delete;
-  void operator=(const vtkOversketchCanvas&) = delete;
-
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -18,7 +18,6 @@
 #include <vector>
 
 class vtkImageData;
-class vtkInformation;
 class vtkPolyData;
 
 namespace oversketch

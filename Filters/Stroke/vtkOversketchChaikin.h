@@ -53,9 +53,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchChaikin(const vtkOversketchChaikin&) = delete;
-  void operator=(const vtkOversketchChaikin&) = delete;
-
   int Iterations = 2;
 };
 

@@ -235,13 +235,10 @@ struct vtkOversketchMagneticSnap::Cache
 vtkStandardNewMacro(vtkOversketchMagneticSnap);
 
 vtkOversketchMagneticSnap::vtkOversketchMagneticSnap()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Image, Port::Optional });
 }
-
-vtkOversketchMagneticSnap::~vtkOversketchMagneticSnap() = default;
 
 void vtkOversketchMagneticSnap::Prepare()
 {
@@ -257,7 +254,7 @@ void vtkOversketchMagneticSnap::Prepare()
   }
   try
   {
-    this->Internals->Edges(picture, PlaceOf(picture), !this->AsPublished, this->EdgeCount);
+    this->Kept<Cache>().Edges(picture, PlaceOf(picture), !this->AsPublished, this->EdgeCount);
   }
   catch (const Error&) // whose message the stroke has
   {
@@ -277,7 +274,7 @@ void vtkOversketchMagneticSnap::Execute(vtkInformationVector** inputs, vtkInform
   }
   const double published = this->AsPublished ? 1.0 : 0.0;
   const StepKey rulesKey({}, { published });
-  Cache& cache = *this->Internals;
+  Cache& cache = this->Kept<Cache>();
   if (cache.RulesKey != rulesKey)
   {
     cache.Known.clear();

@@ -40,8 +40,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchMagneticSnap : public vtkOversketchFilter
 {
 public:
@@ -82,20 +80,16 @@ public:
 
 protected:
   vtkOversketchMagneticSnap();
-  ~vtkOversketchMagneticSnap() override;
+  ~vtkOversketchMagneticSnap() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchMagneticSnap(const vtkOversketchMagneticSnap&) = delete;
-  void operator=(const vtkOversketchMagneticSnap&) = delete;
-
   bool AsPublished = false;
   vtkIdType EdgeCount = 0;
   vtkIdType SnapCount = 0;
 
   struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -22,11 +22,6 @@
 
 using namespace oversketch;
 
-// The ray scene of the mesh, held for the next stroke.
-struct vtkOversketchNurbsFit::Cache : KeptSurface
-{
-};
-
 vtkStandardNewMacro(vtkOversketchNurbsFit);
 
 namespace
@@ -136,13 +131,10 @@ private:
 } // namespace
 
 vtkOversketchNurbsFit::vtkOversketchNurbsFit()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
-
-vtkOversketchNurbsFit::~vtkOversketchNurbsFit() = default;
 
 void vtkOversketchNurbsFit::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -165,7 +157,7 @@ void vtkOversketchNurbsFit::Execute(vtkInformationVector** inputs, vtkInformatio
         "There is no mesh to fit splines in space on; give it on port 1, or set {FitSpace Picture}.");
     }
     RequirePolygonsOnly(mesh);
-    surface = &this->Internals->Provide(mesh, ContextOf(this, 0.0, 0.5));
+    surface = &this->Kept<KeptSurface>().Provide(mesh, ContextOf(this, 0.0, 0.5));
   }
   const Context context = ContextOf(this, surface ? 0.5 : 0.0, 1.0);
   vtkNew<vtkPoints> points;

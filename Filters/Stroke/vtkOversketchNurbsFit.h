@@ -42,8 +42,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchNurbsFit : public vtkOversketchFilter
 {
 public:
@@ -127,23 +125,17 @@ public:
 
 protected:
   vtkOversketchNurbsFit();
-  ~vtkOversketchNurbsFit() override;
+  ~vtkOversketchNurbsFit() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchNurbsFit(const vtkOversketchNurbsFit&) = delete;
-  void operator=(const vtkOversketchNurbsFit&) = delete;
-
   int FitSpace = Picture;
   double Spacing = 10.0;
   bool Closed = false;
   bool Interpolate = false;
   bool Periodic = true;
   bool CutLoops = true;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -18,13 +18,6 @@
 
 using namespace oversketch;
 
-// The ray scene of the mesh, held for the next curve, and the last result.
-struct vtkOversketchProjectCurve::Cache
-{
-  KeptSurface Surface;
-  KeptOutput Kept;
-};
-
 vtkStandardNewMacro(vtkOversketchProjectCurve);
 
 namespace
@@ -78,17 +71,9 @@ void writeParameters(const std::vector<StrokeCurve>& curves,
 
 } // namespace
 
-vtkOversketchProjectCurve::vtkOversketchProjectCurve()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchProjectCurve::~vtkOversketchProjectCurve() = default;
-
 vtkIdType vtkOversketchProjectCurve::GetSceneCount()
 {
-  return this->Internals->Surface.Builds();
+  return this->Kept<KeptSurface>().Builds();
 }
 
 void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -107,8 +92,7 @@ void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInform
     strokes->GetNumberOfPoints(),
     "curves",
     "take them from vtkOversketchNurbsFit, or remove it");
-  Cache& cache = *this->Internals;
-  cache.Kept.Provide(
+  this->Kept<KeptOutput>().Provide(
     StepKey({ WholeKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) }, { this->Spacing }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
@@ -116,7 +100,7 @@ void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInform
       ++this->ProjectionCount;
       const std::vector<DrawnLine> lines = ReadStrokes(strokes);
       RefuseEndless(lines);
-      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      const SurfaceRays& surface = this->Kept<KeptSurface>().Provide(mesh, ContextOf(this, 0.0, 0.5));
       CurveRules rules;
       rules.spacing = this->Spacing;
       const std::vector<StrokeCurve> curves = ProjectStrokes(this,
@@ -137,7 +121,7 @@ void vtkOversketchProjectCurve::Execute(vtkInformationVector** inputs, vtkInform
           }
           return runs;
         });
-      WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
+      WriteSurfaceCurves(curves, this->Kept<KeptSurface>(), strokes, lines, result);
       writeParameters(curves, lines, parameters, result);
       result->GetFieldData()->PassData(strokes->GetFieldData());
     });

@@ -43,8 +43,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchProjectCurve : public vtkOversketchFilter
 {
 public:
@@ -78,20 +76,14 @@ public:
   vtkIdType GetSceneCount();
 
 protected:
-  vtkOversketchProjectCurve();
-  ~vtkOversketchProjectCurve() override;
+  vtkOversketchProjectCurve() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchProjectCurve() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProjectCurve(const vtkOversketchProjectCurve&) = delete;
-  void operator=(const vtkOversketchProjectCurve&) = delete;
-
   double Spacing = 0.0;
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -17,10 +17,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchRedraw::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchRedraw);
 
 namespace
@@ -101,12 +97,8 @@ struct Redrawn
     Values& numbers = this->Numbers[correction.stroke];
     for (std::size_t k = 0; k < numbers.size(); ++k)
     {
-      std::vector<double> blended;
-      for (const Origin& origin : correction.result.origins)
-      {
-        blended.push_back(origin.of(numbers[k], freshNumbers[k]));
-      }
-      numbers[k] = std::move(blended);
+      numbers[k] = mapped(correction.result.origins,
+        [&](const Origin& origin) { return origin.of(numbers[k], freshNumbers[k]); });
     }
   }
 };
@@ -193,13 +185,10 @@ MeshKey wholeKey(vtkPolyData* polyData)
 } // namespace
 
 vtkOversketchRedraw::vtkOversketchRedraw()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(2);
   DeclareInput(this, 1, { Port::Optional });
 }
-
-vtkOversketchRedraw::~vtkOversketchRedraw() = default;
 
 void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -211,7 +200,7 @@ void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationV
     output->ShallowCopy(curves);
     return;
   }
-  this->Internals->Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ wholeKey(curves), wholeKey(corrections) }, {}),
     output,
     [&](vtkPolyData* result)
     {
@@ -239,11 +228,7 @@ void vtkOversketchRedraw::Execute(vtkInformationVector** inputs, vtkInformationV
       for (int i = 0; i < static_cast<int>(lines.size()); ++i)
       {
         const StrokeOnCanvas fresh = OntoCanvas(corrections, lines, i, canvas, "Correction");
-        std::vector<vtkIdType> ids;
-        for (const Blend& place : fresh.Places)
-        {
-          ids.push_back(lines[i].Ids[place.from]);
-        }
+        const auto ids = mapped(fresh.Places, [&](const Blend& place) { return lines[i].Ids[place.from]; });
         redrawn.Apply(fresh, valuesAt(freshArrays, ids), i, canvas);
         context.checkpoint((i + 1.0) / static_cast<double>(lines.size()));
       }

@@ -36,8 +36,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchRedraw : public vtkOversketchFilter
 {
 public:
@@ -58,18 +56,12 @@ public:
 
 protected:
   vtkOversketchRedraw();
-  ~vtkOversketchRedraw() override;
+  ~vtkOversketchRedraw() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchRedraw(const vtkOversketchRedraw&) = delete;
-  void operator=(const vtkOversketchRedraw&) = delete;
-
   vtkIdType CorrectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

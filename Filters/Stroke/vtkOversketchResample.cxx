@@ -11,10 +11,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResample::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchResample);
 
 namespace
@@ -47,18 +43,11 @@ std::vector<Blend> placesOf(const DrawnLine& line, int stroke, double spacing)
 
 } // namespace
 
-vtkOversketchResample::vtkOversketchResample()
-  : Internals(new Cache)
-{
-}
-
-vtkOversketchResample::~vtkOversketchResample() = default;
-
 void vtkOversketchResample::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  this->Internals->Provide(StepKey({ CurvesKey(input) }, {}),
+  this->Kept<KeptOutput>().Provide(StepKey({ CurvesKey(input) }, {}),
     output,
     [&](vtkPolyData* result)
     {

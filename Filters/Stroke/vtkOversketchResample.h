@@ -29,8 +29,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResample : public vtkOversketchFilter
 {
 public:
@@ -44,19 +42,13 @@ public:
   vtkGetMacro(ResamplingCount, vtkIdType);
 
 protected:
-  vtkOversketchResample();
-  ~vtkOversketchResample() override;
+  vtkOversketchResample() = default;
+  ~vtkOversketchResample() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchResample(const vtkOversketchResample&) = delete;
-  void operator=(const vtkOversketchResample&) = delete;
-
   vtkIdType ResamplingCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

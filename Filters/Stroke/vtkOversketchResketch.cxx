@@ -21,10 +21,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchResketch::Cache : KeptOutput
-{
-};
-
 namespace
 {
 
@@ -155,14 +151,6 @@ void dropRepeated(Resketched& result, bool closed)
 
 vtkStandardNewMacro(vtkOversketchResketch);
 
-vtkOversketchResketch::vtkOversketchResketch()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchResketch::~vtkOversketchResketch() = default;
-
 void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* curve = vtkPolyData::GetData(inputs[0]);
@@ -171,8 +159,9 @@ void vtkOversketchResketch::Execute(vtkInformationVector** inputs, vtkInformatio
   {
     return;
   }
-  this->Internals->Provide(StepKey({ WholeKey(curve), WholeKey(stroke) },
-                             { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey({ WholeKey(curve), WholeKey(stroke) },
+      { this->K, static_cast<double>(this->Middle), this->RawTangents ? 1.0 : 0.0 }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {

@@ -39,8 +39,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchResketch : public vtkOversketchFilter
 {
 public:
@@ -97,22 +95,16 @@ public:
   vtkGetMacro(ResketchCount, vtkIdType);
 
 protected:
-  vtkOversketchResketch();
-  ~vtkOversketchResketch() override;
+  vtkOversketchResketch() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchResketch() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchResketch(const vtkOversketchResketch&) = delete;
-  void operator=(const vtkOversketchResketch&) = delete;
-
   double K = 6.0;
   int Middle = ArcLength;
   bool RawTangents = false;
   vtkIdType ResketchCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

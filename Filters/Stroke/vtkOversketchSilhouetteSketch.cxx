@@ -94,32 +94,17 @@ void writeSketch(const std::vector<Vector3>& sketch, vtkPolyData* curve, vtkPoly
 
 } // namespace
 
-// The ray scene of the mesh, held for the next stroke, and the last result.
-struct vtkOversketchSilhouetteSketch::Cache
-{
-  KeptSurface Surface;
-  KeptOutput Kept;
-};
-
 vtkStandardNewMacro(vtkOversketchSilhouetteSketch);
 
 vtkOversketchSilhouetteSketch::vtkOversketchSilhouetteSketch()
-  : Internals(new Cache)
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
 
-vtkOversketchSilhouetteSketch::~vtkOversketchSilhouetteSketch() = default;
-
-vtkPolyData* vtkOversketchSilhouetteSketch::GetSketchOutput()
-{
-  return this->GetOutput(1);
-}
-
 vtkIdType vtkOversketchSilhouetteSketch::GetSceneCount()
 {
-  return this->Internals->Surface.Builds();
+  return this->Kept<KeptSurface>().Builds();
 }
 
 void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -136,14 +121,13 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
   {
     throw Error(Failure::BadStroke, "{MaximumStep} is not finite; set a length, 0 or -1.");
   }
-  Cache& cache = *this->Internals;
   const StepKey key({ StrokesKey(strokes),
                       MeshKey(mesh, { mesh->GetPointData()->GetNormals() }),
                       MeshKey(silhouette,
                         { silhouette->GetPointData()->GetArray("Normals"),
                           silhouette->GetCellData()->GetArray("Visible") }) },
     { static_cast<double>(this->Projection), this->MaximumStep });
-  cache.Kept.Provide(key,
+  this->Kept<KeptOutput>().Provide(key,
     { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1) },
     [&](const KeptOutput::Outputs& results)
     {
@@ -156,7 +140,7 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
           lines.size());
       }
       RefuseEndless(lines);
-      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      const SurfaceRays& surface = this->Kept<KeptSurface>().Provide(mesh, ContextOf(this, 0.0, 0.5));
       SketchRules rules;
       rules.projection = static_cast<SketchProjection>(this->Projection);
       rules.maximumStep = this->MaximumStep < 0.0 ? 0.03 * surface.diagonal() : this->MaximumStep;
@@ -166,7 +150,7 @@ void vtkOversketchSilhouetteSketch::Execute(vtkInformationVector** inputs, vtkIn
         readSilhouette(silhouette),
         rules,
         ContextOf(this, 0.5, 1.0));
-      WriteSurfaceCurves({ { sketch.curve, 0 } }, cache.Surface, strokes, lines, results[0]);
+      WriteSurfaceCurves({ { sketch.curve, 0 } }, this->Kept<KeptSurface>(), strokes, lines, results[0]);
       results[0]->GetFieldData()->AddArray(OneValue<vtkDoubleArray>("Hidden", sketch.hidden));
       writeSketch(sketch.sketch, results[0], results[1]);
     });

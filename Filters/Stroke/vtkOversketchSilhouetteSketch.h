@@ -46,8 +46,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSilhouetteSketch : public vtkOversketchFilter
 {
 public:
@@ -100,7 +98,7 @@ public:
   /**
    * The sketch, on port 1.
    */
-  vtkPolyData* GetSketchOutput();
+  vtkPolyData* GetSketchOutput() { return this->GetOutput(1); }
 
   /**
    * How many times a stroke has been projected: executions that the kept result did not answer.
@@ -114,20 +112,14 @@ public:
 
 protected:
   vtkOversketchSilhouetteSketch();
-  ~vtkOversketchSilhouetteSketch() override;
+  ~vtkOversketchSilhouetteSketch() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchSilhouetteSketch(const vtkOversketchSilhouetteSketch&) = delete;
-  void operator=(const vtkOversketchSilhouetteSketch&) = delete;
-
   int Projection = Line;
   double MaximumStep = -1.0;
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -89,9 +89,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStrokeFilter(const vtkOversketchStrokeFilter&) = delete;
-  void operator=(const vtkOversketchStrokeFilter&) = delete;
-
   double MinimumSpacing = 2.0;
   double Spacing = 2.0;
   double MinimumLength = 10.0;

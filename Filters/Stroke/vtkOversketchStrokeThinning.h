@@ -50,9 +50,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchStrokeThinning(const vtkOversketchStrokeThinning&) = delete;
-  void operator=(const vtkOversketchStrokeThinning&) = delete;
-
   double Spacing = 4.0;
 };
 

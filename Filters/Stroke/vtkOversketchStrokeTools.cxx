@@ -28,22 +28,10 @@ namespace oversketch
 namespace
 {
 
-// Arrays in which a stroke may tell of the feature that it draws.
-const char* const profileArrays[] = { "Radius", "Height", "Sharpness" };
-
-// Arrays that a curve takes over from the stroke's cell.
+// Arrays that a curve takes over from the stroke's cell, also those that tell of the feature that it draws.
 std::vector<vtkDataArray*> passedArrays(vtkPolyData* strokes)
 {
-  std::vector<vtkDataArray*> arrays = ViewArraysOf(strokes);
-  for (const char* name : profileArrays)
-  {
-    vtkDataArray* array = strokes->GetCellData()->GetArray(name);
-    if (array && array->GetNumberOfTuples() == strokes->GetNumberOfCells())
-    {
-      arrays.push_back(array);
-    }
-  }
-  return arrays;
+  return ViewArraysOf(strokes, { "Radius", "Height", "Sharpness" });
 }
 
 vtkDataArray* pressureOf(vtkPolyData* strokes)

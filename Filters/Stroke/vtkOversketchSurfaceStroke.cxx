@@ -13,22 +13,7 @@
 
 using namespace oversketch;
 
-// The ray scene of the mesh, held for the next stroke, and the last result.
-struct vtkOversketchSurfaceStroke::Cache
-{
-  KeptSurface Surface;
-  KeptOutput Kept;
-};
-
 vtkStandardNewMacro(vtkOversketchSurfaceStroke);
-
-vtkOversketchSurfaceStroke::vtkOversketchSurfaceStroke()
-  : Internals(new Cache)
-{
-  this->SetNumberOfInputPorts(2);
-}
-
-vtkOversketchSurfaceStroke::~vtkOversketchSurfaceStroke() = default;
 
 void vtkOversketchSurfaceStroke::Prepare()
 {
@@ -45,14 +30,14 @@ void vtkOversketchSurfaceStroke::Prepare()
       [&]
       {
         RequirePolygonsOnly(mesh);
-        this->Internals->Surface.Provide(mesh, ContextOf(this));
+        this->Kept<KeptSurface>().Provide(mesh, ContextOf(this));
       });
   }
 }
 
 vtkIdType vtkOversketchSurfaceStroke::GetSceneCount()
 {
-  return this->Internals->Surface.Builds();
+  return this->Kept<KeptSurface>().Builds();
 }
 
 void vtkOversketchSurfaceStroke::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -68,16 +53,16 @@ void vtkOversketchSurfaceStroke::Execute(vtkInformationVector** inputs, vtkInfor
   {
     throw Error(Failure::BadStroke, "{Tolerance} is not finite; set a length, 0 or -1.");
   }
-  Cache& cache = *this->Internals;
-  cache.Kept.Provide(StepKey({ StrokesKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) },
-                       { this->Tolerance }),
+  this->Kept<KeptOutput>().Provide(
+    StepKey(
+      { StrokesKey(strokes), MeshKey(mesh, { mesh->GetPointData()->GetNormals() }) }, { this->Tolerance }),
     vtkPolyData::GetData(outputs),
     [&](vtkPolyData* result)
     {
       ++this->ProjectionCount;
       const std::vector<DrawnLine> lines = ReadStrokes(strokes);
       RefuseEndless(lines);
-      const SurfaceRays& surface = cache.Surface.Provide(mesh, ContextOf(this, 0.0, 0.5));
+      const SurfaceRays& surface = this->Kept<KeptSurface>().Provide(mesh, ContextOf(this, 0.0, 0.5));
       const double tolerance = this->Tolerance < 0.0 ? 6e-4 * surface.diagonal() : this->Tolerance;
       const std::vector<StrokeCurve> curves = ProjectStrokes(this,
         strokes,
@@ -85,7 +70,7 @@ void vtkOversketchSurfaceStroke::Execute(vtkInformationVector** inputs, vtkInfor
         "no two samples in succession lie on the mesh; draw it over the model.",
         [&](const View& view, const DrawnLine& line, int, const Context& context)
         { return projectStroke(surface, view, line.Samples, line.Closed, tolerance, context); });
-      WriteSurfaceCurves(curves, cache.Surface, strokes, lines, result);
+      WriteSurfaceCurves(curves, this->Kept<KeptSurface>(), strokes, lines, result);
     });
 }
 

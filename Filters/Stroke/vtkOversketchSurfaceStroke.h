@@ -49,8 +49,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchSurfaceStroke : public vtkOversketchFilter
 {
 public:
@@ -91,20 +89,14 @@ public:
   vtkIdType GetSceneCount();
 
 protected:
-  vtkOversketchSurfaceStroke();
-  ~vtkOversketchSurfaceStroke() override;
+  vtkOversketchSurfaceStroke() { this->SetNumberOfInputPorts(2); }
+  ~vtkOversketchSurfaceStroke() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchSurfaceStroke(const vtkOversketchSurfaceStroke&) = delete;
-  void operator=(const vtkOversketchSurfaceStroke&) = delete;
-
   double Tolerance = -1.0;
   vtkIdType ProjectionCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

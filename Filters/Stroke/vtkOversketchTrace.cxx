@@ -25,10 +25,6 @@
 
 using namespace oversketch;
 
-struct vtkOversketchTrace::Cache : KeptOutput
-{
-};
-
 vtkStandardNewMacro(vtkOversketchTrace);
 
 namespace
@@ -112,12 +108,9 @@ void writeStrokesOf(const std::vector<TracedRim>& rims,
 } // namespace
 
 vtkOversketchTrace::vtkOversketchTrace()
-  : Internals(new Cache)
 {
   DeclareInput(this, 0, { Port::Image });
 }
-
-vtkOversketchTrace::~vtkOversketchTrace() = default;
 
 int vtkOversketchTrace::RequestData(vtkInformation*,
   vtkInformationVector** inputs,
@@ -160,7 +153,7 @@ int vtkOversketchTrace::RequestData(vtkInformation*,
           this->Place[0],
           this->Place[1],
           static_cast<double>(this->Holes) });
-      this->Internals->Provide(key,
+      this->Kept<KeptOutput>().Provide(key,
         vtkPolyData::GetData(outputs),
         [&](vtkPolyData* result)
         {

@@ -32,8 +32,6 @@
 #include "OversketchFiltersStrokeModule.h" // For export macro
 #include "vtkOversketchFilter.h"
 
-#include <memory>
-
 class OVERSKETCHFILTERSSTROKE_EXPORT vtkOversketchTrace : public vtkOversketchFilter
 {
 public:
@@ -78,20 +76,14 @@ public:
 
 protected:
   vtkOversketchTrace();
-  ~vtkOversketchTrace() override;
+  ~vtkOversketchTrace() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTrace(const vtkOversketchTrace&) = delete;
-  void operator=(const vtkOversketchTrace&) = delete;
-
   double Place[2] = { -1.0, -1.0 };
   int Holes = Tunnel;
   vtkIdType TraceCount = 0;
-
-  struct Cache;
-  std::unique_ptr<Cache> Internals;
 };
 
 #endif

@@ -98,9 +98,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchViewStroke(const vtkOversketchViewStroke&) = delete;
-  void operator=(const vtkOversketchViewStroke&) = delete;
-
   double CameraPosition[3] = { 0.0, 0.0, 1.0 };
   double CameraFocalPoint[3] = { 0.0, 0.0, 0.0 };
   double CameraViewUp[3] = { 0.0, 1.0, 0.0 };

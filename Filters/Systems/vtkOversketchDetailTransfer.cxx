@@ -40,11 +40,6 @@ std::shared_ptr<const Mesh> restOf(vtkPolyData* proxy, const Mesh& now)
 
 } // namespace
 
-vtkOversketchDetailTransfer::vtkOversketchDetailTransfer()
-{
-  this->SetNumberOfInputPorts(2);
-}
-
 void vtkOversketchDetailTransfer::Execute(vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);

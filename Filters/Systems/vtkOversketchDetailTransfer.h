@@ -37,14 +37,10 @@ public:
   vtkTypeMacro(vtkOversketchDetailTransfer, vtkOversketchFilter);
 
 protected:
-  vtkOversketchDetailTransfer();
+  vtkOversketchDetailTransfer() { this->SetNumberOfInputPorts(2); }
   ~vtkOversketchDetailTransfer() override = default;
 
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-
-private:
-  vtkOversketchDetailTransfer(const vtkOversketchDetailTransfer&) = delete;
-  void operator=(const vtkOversketchDetailTransfer&) = delete;
 };
 
 #endif

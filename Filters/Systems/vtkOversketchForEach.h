@@ -93,9 +93,6 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  vtkOversketchForEach(const vtkOversketchForEach&) = delete;
-  void operator=(const vtkOversketchForEach&) = delete;
-
   // Sends every rank what is the same for all models; null where no rank has it.
   vtkSmartPointer<vtkDataObject> Broadcast(vtkDataObject* single);
 

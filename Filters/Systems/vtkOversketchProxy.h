@@ -51,9 +51,6 @@ protected:
   void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchProxy(const vtkOversketchProxy&) = delete;
-  void operator=(const vtkOversketchProxy&) = delete;
-
   int TargetTriangles = 500000;
 };
 

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkErrorCode.h"
 #include "vtkIdList.h"
+#include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -17,10 +18,6 @@
 #include <type_traits>
 
 using namespace oversketch;
-
-vtkOversketchSystem::vtkOversketchSystem() = default;
-
-vtkOversketchSystem::~vtkOversketchSystem() = default;
 
 bool vtkOversketchSystem::Preview(vtkPolyData*, vtkPolyData*, vtkPolyData* hold)
 {
@@ -119,11 +116,6 @@ const char* vtkOversketchSystem::GetInnerOutputName(int index) const
   return stage ? stage->Name.c_str() : nullptr;
 }
 
-vtkPolyData* vtkOversketchSystem::GetInnerOutput(const char* name)
-{
-  return this->StageOutput(name);
-}
-
 vtkPolyData* vtkOversketchSystem::StageOutput(const char* name)
 {
   vtkAlgorithm* step = this->GetStep(name);
@@ -174,11 +166,6 @@ double vtkOversketchSystem::GetStageTime(const char* name) const
 {
   const Stage* stage = this->Find(name);
   return stage ? stage->Seconds : 0.0;
-}
-
-const char* vtkOversketchSystem::GetStageName() const
-{
-  return this->Running ? this->Running->Name.c_str() : "";
 }
 
 vtkMTimeType vtkOversketchSystem::GetMTime()
@@ -246,6 +233,22 @@ int vtkOversketchSystem::RunSystem(const std::function<void()>& body)
   return result;
 }
 
+int vtkOversketchSystem::RunOnMesh(vtkInformationVector** inputs,
+  vtkInformationVector* outputs,
+  const MeshBody& body)
+{
+  vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  return this->RunSystem(
+    [&]
+    {
+      if (mesh->GetNumberOfPoints() > 0)
+      {
+        body(mesh, output);
+      }
+    });
+}
+
 bool vtkOversketchSystem::Try(const std::function<bool()>& body)
 {
   this->Done = 0.0;
@@ -266,6 +269,26 @@ bool vtkOversketchSystem::Try(const std::function<bool()>& body)
     this->SetErrorCode(vtkErrorCode::UserError + static_cast<unsigned long>(Failure::Unexpected));
   }
   return false;
+}
+
+bool vtkOversketchSystem::TryPrepare(const std::function<void(vtkPolyData*)>& body)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(this->UpdatedInput(0));
+  const auto prepare = [&]
+  {
+    body(mesh);
+    return true;
+  };
+  return mesh && mesh->GetNumberOfPoints() > 0 && this->Try(prepare);
+}
+
+bool vtkOversketchSystem::TryPreview(vtkPolyData* mesh,
+  vtkPolyData* stroke,
+  vtkPolyData* hold,
+  const std::function<bool()>& body)
+{
+  hold->Initialize();
+  return mesh && stroke && mesh->GetNumberOfPoints() > 0 && this->Try(body);
 }
 
 void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>& work)

@@ -124,7 +124,7 @@ public:
    */
   int GetNumberOfInnerOutputs() const;
   const char* GetInnerOutputName(int index) const;
-  virtual vtkPolyData* GetInnerOutput(const char* name);
+  virtual vtkPolyData* GetInnerOutput(const char* name) { return this->StageOutput(name); }
   ///@}
 
   /**
@@ -135,7 +135,7 @@ public:
   /**
    * Name of the running step, for progress displays; empty outside a run.
    */
-  const char* GetStageName() const;
+  const char* GetStageName() const { return this->Running ? this->Running->Name.c_str() : ""; }
 
   /**
    * Includes the steps: a parameter set through GetStep makes the system run again.
@@ -143,8 +143,8 @@ public:
   vtkMTimeType GetMTime() override;
 
 protected:
-  vtkOversketchSystem();
-  ~vtkOversketchSystem() override;
+  vtkOversketchSystem() = default;
+  ~vtkOversketchSystem() override = default;
 
   // To be called by heirs, which own their steps: in the order of the steps, with the share of the run that a
   // step takes, for progress. A step that repeats another one is no inner output of its own.
@@ -157,11 +157,20 @@ protected:
 
   // The body of a RequestData: times and progress begin anew; see oversketch::RunFilter.
   int RunSystem(const std::function<void()>& body);
+  // The same of a system that makes a mesh of the one on port 0; nothing where that has no points.
+  using MeshBody = std::function<void(vtkPolyData* mesh, vtkPolyData* output)>;
+  int RunOnMesh(vtkInformationVector** inputs, vtkInformationVector* outputs, const MeshBody& body);
   // Says of what the run makes that it is not as drawn, and tells it as a warning; an empty one says nothing.
   void SetRemark(const oversketch::Message& remark);
   // Runs a body outside a run: without an error event. Returns whether body returned true; where it threw,
   // the error code tells why.
   bool Try(const std::function<bool()>& body);
+  // The same of Prepare, with the mesh of input 0, and of Preview; false where the mesh has no points.
+  bool TryPrepare(const std::function<void(vtkPolyData* mesh)>& body);
+  bool TryPreview(vtkPolyData* mesh,
+    vtkPolyData* stroke,
+    vtkPolyData* hold,
+    const std::function<bool()>& body);
   // Says that the run goes through the steps so often; each time then counts for its part of the progress.
   void SetPasses(std::size_t passes) { this->Passes = passes; }
   // Runs a step, or does with it what is given. Throws its first error, or Cancelled.
@@ -179,9 +188,6 @@ protected:
   double GetDone() const { return this->Done; }
 
 private:
-  vtkOversketchSystem(const vtkOversketchSystem&) = delete;
-  void operator=(const vtkOversketchSystem&) = delete;
-
   struct Stage
   {
     std::string Name;

@@ -31,8 +31,6 @@ public:
   // Throws Error(BadMesh) as MeshOf does. The mesh is kept, not copied.
   explicit Weld(vtkPolyData* mesh);
   ~Weld();
-  Weld(const Weld&) = delete;
-  void operator=(const Weld&) = delete;
 
   // Geometry only: welded points (those of the mesh, the same object, where nothing was to weld), its
   // triangles in its order, their numbers as cell array OriginalCell, so that the remesher hands them on,

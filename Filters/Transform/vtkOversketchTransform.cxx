@@ -223,10 +223,6 @@ Chosen repeat(vtkPolyData* mesh, const Chosen& chosen, int part)
 
 } // namespace
 
-vtkOversketchTransform::vtkOversketchTransform() = default;
-
-vtkOversketchTransform::~vtkOversketchTransform() = default;
-
 void vtkOversketchTransform::RequireValues()
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -264,15 +260,10 @@ int vtkOversketchTransform::RequestData(vtkInformation*,
   vtkInformationVector* outputs)
 {
   this->Found.clear();
-  return this->RunSystem(
-    [&]
+  return this->RunOnMesh(inputs,
+    outputs,
+    [&](vtkPolyData* mesh, vtkPolyData* output)
     {
-      vtkPolyData* mesh = vtkPolyData::GetData(inputs[0]);
-      vtkPolyData* output = vtkPolyData::GetData(outputs);
-      if (mesh->GetNumberOfPoints() == 0)
-      {
-        return;
-      }
       this->RequireValues();
       RequirePolygonsOnly(mesh);
       const Context context = ContextOf(this);

@@ -130,15 +130,12 @@ public:
   FigureList Figures() override { return this->Found; }
 
 protected:
-  vtkOversketchTransform();
-  ~vtkOversketchTransform() override;
+  vtkOversketchTransform() = default;
+  ~vtkOversketchTransform() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
-  vtkOversketchTransform(const vtkOversketchTransform&) = delete;
-  void operator=(const vtkOversketchTransform&) = delete;
-
   void RequireValues();
 
   double Move[3] = { 0.0, 0.0, 0.0 };

@@ -20,13 +20,7 @@ using Corners = std::array<int, 4>; // of a face; corner[3] < 0 of a triangle
 template <typename Face>
 std::vector<Corners> cornersOf(const std::vector<Face>& faces)
 {
-  std::vector<Corners> corners;
-  corners.reserve(faces.size());
-  for (const Face& face : faces)
-  {
-    corners.push_back(face.corners);
-  }
-  return corners;
+  return mapped(faces, &Face::corners);
 }
 
 // The border edges, ascending by `from`, of which each is there once. Throws Error(Failure::BadMesh), naming

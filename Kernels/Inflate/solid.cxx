@@ -134,11 +134,8 @@ using Edge = std::pair<int, int>;
 std::vector<BorderEdge> openedBy(const Solid& before, const Solid& after)
 {
   const int count = static_cast<int>(before.points.size());
-  std::vector<Edge> known;
-  for (const BorderEdge& edge : borderOf(cornersOf(before.faces), count))
-  {
-    known.emplace_back(edge.from, edge.to);
-  }
+  std::vector<Edge> known = mapped(borderOf(cornersOf(before.faces), count),
+    [](const BorderEdge& edge) { return Edge(edge.from, edge.to); });
   std::vector<BorderEdge> opened;
   for (const BorderEdge& edge : borderOf(cornersOf(after.faces), count))
   {
@@ -268,11 +265,7 @@ Solid extrude(const PlanarMesh& mesh, double depth, WallRows rows)
   }
   const int count = static_cast<int>(mesh.points.size());
   std::vector<BorderEdge> rim = borderOf(cornersOf(mesh.faces), count);
-  std::vector<char> isBase;
-  for (const PlanarPoint& point : mesh.points)
-  {
-    isBase.push_back(point.isBase);
-  }
+  const auto isBase = mapped(mesh.points, [](const PlanarPoint& point) { return char(point.isBase); });
   const int between = rows == WallRows::One || rim.empty() ? 1 : edgesBetweenBasePoints(rim, isBase);
   std::vector<int> front;
   Solid solid = bothSides(mesh, std::vector<double>(mesh.points.size(), depth), false, front);
@@ -322,11 +315,7 @@ Solid tunnel(const Solid& solid, const std::vector<char>& removed, bool wall)
   const std::vector<BorderEdge> front = frontOf(result, openedBy(solid, result), twins);
   if (wall && !front.empty())
   {
-    std::vector<char> isBase;
-    for (const SolidPoint& point : result.points)
-    {
-      isBase.push_back(point.isBase);
-    }
+    const auto isBase = mapped(result.points, [](const SolidPoint& point) { return char(point.isBase); });
     addWall(result, front, twins, edgesBetweenBasePoints(front, isBase));
   }
   dropUnusedPoints(result);

@@ -59,17 +59,6 @@ std::vector<int> cornersOf(const Mesh& mesh,
   return vertices.list();
 }
 
-// The place of each id in an ascending list; -1: it is not there.
-std::vector<int> placesIn(const std::vector<int>& list, std::size_t count)
-{
-  std::vector<int> places(count, -1);
-  for (std::size_t i = 0; i < list.size(); ++i)
-  {
-    places[list[i]] = static_cast<int>(i);
-  }
-  return places;
-}
-
 constexpr int faceLanes = 32; // see moved.cxx
 
 // Triangles side by side.

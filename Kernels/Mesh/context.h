@@ -7,7 +7,6 @@
 
 #include <functional>
 #include <stdexcept>
-#include <string>
 
 namespace oversketch
 {

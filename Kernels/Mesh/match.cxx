@@ -1,7 +1,6 @@
 #include "Mesh/match.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace oversketch
 {

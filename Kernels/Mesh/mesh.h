@@ -8,8 +8,11 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <vector>
 
 namespace oversketch
@@ -77,6 +80,41 @@ struct Lists
 
 // The places that are marked, ascending.
 std::vector<int> marked(const std::vector<char>& marks);
+
+// 1 at some of so many places, 0 elsewhere.
+inline std::vector<char> marksAt(const std::vector<int>& places, std::size_t count)
+{
+  std::vector<char> marks(count, 0);
+  for (const int place : places)
+  {
+    marks[place] = 1;
+  }
+  return marks;
+}
+
+// Where each of so many numbers stands in a list; -1 where it does not.
+inline std::vector<int> placesIn(const std::vector<int>& list, std::size_t count)
+{
+  std::vector<int> places(count, -1);
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    places[list[i]] = static_cast<int>(i);
+  }
+  return places;
+}
+
+// The results of a function, or a member, for all values in order.
+template <typename Values, typename Function>
+auto mapped(const Values& values, const Function& function)
+{
+  std::vector<std::decay_t<std::invoke_result_t<Function, decltype(*std::begin(values))>>> results;
+  results.reserve(std::size(values));
+  for (const auto& value : values)
+  {
+    results.push_back(std::invoke(function, value));
+  }
+  return results;
+}
 
 // The values at some places; empty stays empty.
 template <typename Value>

@@ -1,7 +1,5 @@
 #include "Mesh/part.h"
 
-#include <algorithm>
-
 namespace oversketch
 {
 

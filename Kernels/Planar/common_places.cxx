@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -133,11 +134,10 @@ private:
         more[{ s.path, s.number }].push_back(place);
       }
     };
-    std::vector<SegmentEnds> ends;
-    for (const Segment& s : all)
-    {
-      ends.push_back({ this->Places[s.from].vector(), this->Places[s.to].vector() });
-    }
+    const auto ends = mapped(all,
+      [this](const Segment& s) {
+        return SegmentEnds{ this->Places[s.from].vector(), this->Places[s.to].vector() };
+      });
     this->Progress.checkpoint(0.1);
     forEachNear(
       ends, [&](int i, int j) { this->meet(all[i], all[j], insert); }, this->Progress);

@@ -6,8 +6,6 @@
 #include "Planar/arrange.h"
 #include "Planar/line_graph.h"
 
-#include <map>
-
 namespace oversketch
 {
 

@@ -328,11 +328,8 @@ bool PieceList::leavesOut(int piece, const Vector2& place) const
 
 std::vector<int> PieceList::vertices() const
 {
-  std::vector<int> result;
-  for (const Piece& piece : this->Pieces)
-  {
-    result.push_back(piece.from % this->count());
-  }
+  std::vector<int> result =
+    mapped(this->Pieces, [this](const Piece& piece) { return piece.from % this->count(); });
   if (!this->Closed && !this->Pieces.empty())
   {
     result.push_back(this->Pieces.back().to);

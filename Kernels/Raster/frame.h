@@ -5,7 +5,6 @@
 #include "Stroke/canvas.h"
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 namespace oversketch

@@ -56,11 +56,7 @@ GridSmoothing::GridSmoothing(const DistanceMaps& maps, int step, const Context& 
   {
     return;
   }
-  std::vector<Vector3> positions;
-  for (const auto& [x, y] : this->Cells)
-  {
-    positions.emplace_back(x, y, 0.0);
-  }
+  const auto positions = mapped(this->Cells, [](const auto& cell) { return Vector3(cell[0], cell[1], 0.0); });
   const std::vector<double> none(this->Cells.size(), 0.0);
   this->Order = std::make_shared<Elimination>(this->matrix(none).pattern, positions, context);
 }

@@ -209,11 +209,7 @@ std::vector<TracedRim> rimsOf(const cv::Mat1b& mask, const cv::Mat1b& cover, dou
 // Whether no rim meets itself or another one, as strokes of a drawing must not.
 bool areApart(const std::vector<TracedRim>& rims, const Context& context)
 {
-  std::vector<PlaneCurve> curves;
-  for (const TracedRim& rim : rims)
-  {
-    curves.push_back({ rim.points, true });
-  }
+  const auto curves = mapped(rims, [](const TracedRim& rim) { return PlaneCurve{ rim.points, true }; });
   const std::vector<Meeting> met = meetings(curves, context);
   return std::none_of(met.begin(), met.end(), [](const Meeting& one) { return one.segment >= 0; });
 }

@@ -19,7 +19,6 @@ constexpr float boxMargin = 1e-6f; // the scene's half width is 1
 constexpr float far = std::numeric_limits<float>::max();
 
 using Quad = float __attribute__((vector_size(16)));
-using QuadInt = int __attribute__((vector_size(16)));
 
 inline Quad lesser(const Quad& a, const Quad& b)
 {

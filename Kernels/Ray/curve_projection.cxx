@@ -21,30 +21,23 @@ struct Look
   SurfaceHit hit;
 };
 
-class CurveTracer
+struct CurveTracer
 {
-public:
-  CurveTracer(const SurfaceRays& surface,
-    const View& view,
-    const std::vector<Vector2>& picture,
-    const CurveRules& rules)
-    : Surface(surface)
-    , Camera(view)
-    , Picture(picture)
-    , Rules(rules)
-  {
-  }
+  const SurfaceRays& surface;
+  const View& camera;
+  const std::vector<Vector2>& picture;
+  const CurveRules rules;
 
   // The curve's place `along` it, modulo its count.
   Look look(double along) const
   {
-    const int count = static_cast<int>(this->Picture.size());
+    const int count = static_cast<int>(this->picture.size());
     const double floor = std::floor(along);
     const int before = static_cast<int>(floor) % count;
     const double t = along - floor;
-    const Vector2& a = this->Picture[before];
-    const Vector2 display = t > 0.0 ? Vector2((1.0 - t) * a + t * this->Picture[(before + 1) % count]) : a;
-    return { display, along, this->Surface.nearest(lineOfSight(this->Camera, display, this->Surface)) };
+    const Vector2& a = this->picture[before];
+    const Vector2 display = t > 0.0 ? Vector2((1.0 - t) * a + t * this->picture[(before + 1) % count]) : a;
+    return { display, along, this->surface.nearest(lineOfSight(this->camera, display, this->surface)) };
   }
 
   // Appends what follows a up to b.
@@ -70,7 +63,7 @@ public:
     }
   }
 
-  double pixelAt(const Vector3& world) const { return pixelSize(this->Camera, world); }
+  double pixelAt(const Vector3& world) const { return pixelSize(this->camera, world); }
 
 private:
   static constexpr int halvings = 12;
@@ -96,7 +89,7 @@ private:
   void across(const Look& a, const Look& b, std::vector<SurfaceSample>& row) const
   {
     const double none =
-      this->Rules.gap * this->pixelAt((a.hit.distance < b.hit.distance ? a : b).hit.position);
+      this->rules.gap * this->pixelAt((a.hit.distance < b.hit.distance ? a : b).hit.position);
     this->halve(a, b, halvings, none, std::max(none, largestRest * distance(a, b)), row);
   }
 
@@ -132,11 +125,6 @@ private:
     append(begin, row);
     this->halve(begin, b, left - 1, none, rest, row);
   }
-
-  const SurfaceRays& Surface;
-  const View& Camera;
-  const std::vector<Vector2>& Picture;
-  const CurveRules Rules;
 };
 
 // The step of even samples: half the mean edge of the triangles under the run, but 4 to 10 pixels' size.
@@ -273,7 +261,7 @@ std::vector<SurfaceCurve> projectCurve(const SurfaceRays& surface,
   {
     return {};
   }
-  const CurveTracer tracer(surface, view, picture, rules);
+  const CurveTracer tracer{ surface, view, picture, rules };
   std::vector<Look> looks(static_cast<std::size_t>(count) + closed);
   context.eachUntilCancelled(count, [&](int i) { looks[i] = tracer.look(i); });
   context.checkpoint(0.5);

@@ -12,7 +12,6 @@
 #endif
 
 #include <memory>
-#include <string>
 #include <type_traits>
 
 namespace oversketch::embree

@@ -24,25 +24,21 @@ struct Seen
 };
 
 // Traces a stroke over what is seen of a surface.
-class StrokeTracer
+struct StrokeTracer
 {
-public:
-  StrokeTracer(const SurfaceRays& surface, const View& view, double tolerance)
-    : Surface(surface)
-    , Camera(view)
-    , Tolerance(tolerance)
-  {
-  }
+  const SurfaceRays& surface;
+  const View& camera;
+  const double tolerance;
 
   Seen look(const Vector2& display, double along) const
   {
-    return { display, along, this->Surface.nearest(lineOfSight(this->Camera, display, this->Surface)) };
+    return { display, along, this->surface.nearest(lineOfSight(this->camera, display, this->surface)) };
   }
 
   // Appends what follows a up to b; a sample without triangle is a gap.
   void join(const Seen& a, const Seen& b, std::vector<SurfaceSample>& samples) const
   {
-    this->halve(a, b, this->Tolerance > 0.0 ? mostHalvings : 0, samples);
+    this->halve(a, b, this->tolerance > 0.0 ? mostHalvings : 0, samples);
   }
 
 private:
@@ -61,7 +57,7 @@ private:
         return;
       }
     }
-    else if (!both || (this->Tolerance > 0.0 && this->leaps(a, b)))
+    else if (!both || (this->tolerance > 0.0 && this->leaps(a, b)))
     {
       samples.emplace_back();
     }
@@ -75,7 +71,7 @@ private:
   bool straight(const Seen& a, const Seen& middle, const Seen& b) const
   {
     const Vector3 chord = 0.5 * (a.hit.position + b.hit.position);
-    return middle.hit.found() && (middle.hit.position - chord).norm() <= this->Tolerance &&
+    return middle.hit.found() && (middle.hit.position - chord).norm() <= this->tolerance &&
            (b.hit.position - a.hit.position).norm() <= this->longest(this->pixelSize(a, b));
   }
 
@@ -91,18 +87,14 @@ private:
   // How long a segment may be.
   double longest(double pixel) const
   {
-    return std::min(20.0 * pixel, std::max(2.0 * pixel, 25.0 * this->Tolerance));
+    return std::min(20.0 * pixel, std::max(2.0 * pixel, 25.0 * this->tolerance));
   }
 
   // Size of a pixel in the world, at the nearer of two places.
   double pixelSize(const Seen& a, const Seen& b) const
   {
-    return oversketch::pixelSize(this->Camera, (a.hit.distance < b.hit.distance ? a : b).hit.position);
+    return oversketch::pixelSize(this->camera, (a.hit.distance < b.hit.distance ? a : b).hit.position);
   }
-
-  const SurfaceRays& Surface;
-  const View& Camera;
-  const double Tolerance;
 };
 
 struct End
@@ -380,7 +372,7 @@ std::vector<SurfaceCurve> projectStroke(const SurfaceRays& surface,
   {
     return {};
   }
-  const StrokeTracer tracer(surface, view, tolerance);
+  const StrokeTracer tracer{ surface, view, tolerance };
   std::vector<Seen> seen(stroke.size());
   context.eachUntilCancelled(count, [&](int i) { seen[i] = tracer.look(stroke[i], i); });
   context.checkpoint(0.3);

@@ -467,11 +467,7 @@ void Diameters::fill(const std::vector<int>& unmeasured, const Context& context,
     return;
   }
   std::vector<int> open = unmeasured, ring = unmeasured, beside;
-  std::vector<char> isOpen(this->Model.points.size(), 0);
-  for (const int v : open)
-  {
-    isOpen[v] = 1;
-  }
+  std::vector<char> isOpen = marksAt(open, this->Model.points.size());
   while (!ring.empty())
   {
     beside.clear();

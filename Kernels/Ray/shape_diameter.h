@@ -6,9 +6,7 @@
 #include "Mesh/mesh.h"
 #include "OpenCL/device.h"
 
-#include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace oversketch
@@ -85,8 +83,6 @@ public:
     const ShapeDiameterOptions& options,
     const Context& context);
   ~Diameters();
-  Diameters(const Diameters&) = delete;
-  void operator=(const Diameters&) = delete;
 
   // Makes the values of these vertices known. Where `hits` is given, of mesh.points.size() * rayCount, it
   // receives the rays of vertex v at v * rayCount, of vertices that were not known. Throws Error(Cancelled);

@@ -48,8 +48,6 @@ public:
     std::shared_ptr<const Mesh> mesh,
     const Context& context = Context());
   ~SurfaceRays();
-  SurfaceRays(const SurfaceRays&) = delete;
-  SurfaceRays& operator=(const SurfaceRays&) = delete;
 
   const Mesh& mesh() const;
   double diagonal() const; // of the mesh's bounding box

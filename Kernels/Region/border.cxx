@@ -41,11 +41,7 @@ std::vector<int> borderOf(const Adjacency& adjacency, const std::vector<char>& r
 
 std::vector<char> withinRings(const Adjacency& adjacency, std::vector<int> vertices, int rings)
 {
-  std::vector<char> near(adjacency.borderVertex.size(), 0);
-  for (const int v : vertices)
-  {
-    near[v] = 1;
-  }
+  std::vector<char> near = marksAt(vertices, adjacency.borderVertex.size());
   for (int ring = 0; ring < rings; ++ring)
   {
     std::vector<int> next;

@@ -33,11 +33,7 @@ struct Facet
 
 double medianDiameter(const std::vector<double>& diameter, const std::vector<int>& vertices)
 {
-  std::vector<double> values;
-  for (const int v : vertices)
-  {
-    values.push_back(diameter[v]);
-  }
+  std::vector<double> values = valuesAt(diameter, vertices);
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;

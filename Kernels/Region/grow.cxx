@@ -7,7 +7,6 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <string>
 #include <utility>
 
 namespace oversketch
@@ -167,11 +166,7 @@ std::vector<char> detectRegion(const Mesh& mesh,
     throw Error(Failure::BadRegion,
       "The section has no vertices to grow a region from; draw a longer stroke or lower {seedMargin}.");
   }
-  std::vector<char> isSeed(mesh.points.size(), 0);
-  for (int seed : evidence.seeds)
-  {
-    isSeed[seed] = 1;
-  }
+  std::vector<char> isSeed = marksAt(evidence.seeds, mesh.points.size());
   // The parts that hold seeds: the region can lie nowhere else.
   std::vector<char> held(parts.count, 0);
   for (int seed : evidence.seeds)

@@ -184,11 +184,7 @@ std::vector<Vector3> relaxed(const RelaxBand& band, const Context& context)
   {
     return part.mesh.points;
   }
-  std::vector<int> number(part.region.size(), -1);
-  for (std::size_t i = 0; i < solved.size(); ++i)
-  {
-    number[solved[i]] = static_cast<int>(i);
-  }
+  const std::vector<int> number = placesIn(solved, part.region.size());
   const Mesh plain = withoutNoise(part);
   const std::vector<double> areas = areasOf(plain);
   const Rows rows = rowsOf(band, plain, number, areas);

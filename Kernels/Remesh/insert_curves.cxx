@@ -37,11 +37,8 @@ public:
         "it has to be closed, but leaves the mesh or is hidden in parts. Draw it where all of it is seen, or "
         "turn Bridge and EmbedSegments on.");
     }
-    std::vector<Chain> chains;
-    for (const CurveRun& run : curve.runs)
-    {
-      chains.push_back(this->chainOf(run, *curve.view));
-    }
+    const auto chains =
+      mapped(curve.runs, [&](const CurveRun& run) { return this->chainOf(run, *curve.view); });
     MeshCurve path = this->Rules.embed ? this->embedded(curve, chains) : joinedChains(chains);
     path.closed = curve.closed;
     const std::vector<int> whole = path.vertices;
@@ -359,25 +356,18 @@ private:
     rules.longest = 4.0 * straight + 2.0 * this->edgeAt(from);
     rules.avoidCurves = true;
     rules.direction = [&](const Vector3& at) { return view.towardsViewer(at); };
-    std::optional<Way> way = walkPlane(this->Mesh, from, to, rules);
-    if (!way)
+    for (const double longest : { 2.0 * straight, rules.longest })
     {
-      way = this->normalWay(from, to, rules);
+      std::optional<Way> way = walkPlane(this->Mesh, from, to, rules);
+      way = way ? way : this->normalWay(from, to, rules);
+      way = way ? way : walkEdges(this->Mesh, from, to, longest);
+      if (way)
+      {
+        return way;
+      }
+      rules.avoidCurves = false; // it crosses itself or another one
     }
-    if (!way)
-    {
-      way = walkEdges(this->Mesh, from, to, 2.0 * straight);
-    }
-    rules.avoidCurves = false; // it crosses itself or another one
-    if (!way)
-    {
-      way = walkPlane(this->Mesh, from, to, rules);
-    }
-    if (!way)
-    {
-      way = this->normalWay(from, to, rules);
-    }
-    return way ? way : walkEdges(this->Mesh, from, to, rules.longest);
+    return std::nullopt;
   }
 
   std::optional<Way> bridgeWay(int from, int to, const View& view) const

@@ -56,12 +56,7 @@ std::vector<int> mayHaveMet(const Mesh& mesh, const std::vector<char>& movable, 
 int keepApart(Mesh& mesh, const std::vector<char>& movable, bool asFloats)
 {
   const std::vector<int> near = mayHaveMet(mesh, movable, asFloats);
-  std::vector<Vector3> places;
-  places.reserve(near.size());
-  for (const int v : near)
-  {
-    places.push_back(stored(mesh.points[v], asFloats));
-  }
+  const auto places = mapped(near, [&](int v) { return stored(mesh.points[v], asFloats); });
   const std::vector<int> welded = weldPoints(places);
   if (welded.empty())
   {

@@ -357,11 +357,8 @@ void part(Retriangulated& result, const RetriangulateInput& input)
       free[v] = 0;
     }
   }
-  std::vector<char> movable;
-  for (const int source : result.pointSource)
-  {
-    movable.push_back(source < 0 ? char(2) : free[source]);
-  }
+  const auto movable =
+    mapped(result.pointSource, [&](int source) { return source < 0 ? char(2) : free[source]; });
   const std::vector<Vector3> before = result.mesh.points;
   keepApart(result.mesh, movable, input.asFloats);
   std::vector<Mix> mixes;

@@ -47,30 +47,21 @@ struct Way
   Ended ended = Ended::Met;
 };
 
-class Walker
+struct Walker
 {
-public:
-  Walker(const Mesh& mesh,
-    const Adjacency& adjacency,
-    const std::vector<Sectioner::Face>& faces,
-    const Vector3& origin,
-    const Vector3& normal)
-    : Surface(mesh)
-    , Links(adjacency)
-    , Faces(faces)
-    , Origin(origin)
-    , Normal(normal)
-  {
-  }
+  const Mesh& surface;
+  const Adjacency& links;
+  const std::vector<Sectioner::Face>& faces;
+  Vector3 origin, normal;
 
   // None where the plane does not cross the edge.
   Crossing crossing(int edge) const
   {
-    const MeshEdge& e = this->Links.edges[edge];
+    const MeshEdge& e = this->links.edges[edge];
     const double h0 = this->height(e.v0), h1 = this->height(e.v1);
     return (h0 >= 0.0) != (h1 >= 0.0) ? Crossing{ e.v0, e.v1, h0, h1 } : Crossing();
   }
-  Vector3 pointOf(const Crossing& crossing) const { return crossing.place().of(this->Surface.points); }
+  Vector3 pointOf(const Crossing& crossing) const { return crossing.place().of(this->surface.points); }
 
   // Finds the nearest crossing on an edge round some vertices.
   Crossing crossedNear(const std::vector<int>& vertices, const Vector3& to) const
@@ -79,9 +70,9 @@ public:
     double least = std::numeric_limits<double>::infinity();
     for (const int v : vertices)
     {
-      for (const int t : this->Links.vertexTriangles[v])
+      for (const int t : this->links.vertexTriangles[v])
       {
-        for (const int e : this->Links.triangleEdges[t])
+        for (const int e : this->links.triangleEdges[t])
         {
           const Crossing crossed = e < 0 ? Crossing() : this->crossing(e);
           if (!crossed.found())
@@ -110,7 +101,7 @@ public:
   };
   Exit exitOf(int triangle, const Crossing& entry) const
   {
-    const Sectioner::Face& face = this->Faces[triangle];
+    const Sectioner::Face& face = this->faces[triangle];
     const Triangle& t = face.corners;
     int k = 0;
     while (t[k] == entry.v0 || t[k] == entry.v1)
@@ -120,7 +111,7 @@ public:
     const int third = t[k], before = k == 0 ? 2 : k - 1;
     for (const int next : { k, before }) // the next face is one of them; its memory is slow to come
     {
-      __builtin_prefetch(this->Faces.data() + std::max(face.beyond[next], 0));
+      __builtin_prefetch(this->faces.data() + std::max(face.beyond[next], 0));
     }
     const double height = this->height(third);
     const bool fromFirst = (height >= 0.0) != (entry.h0 >= 0.0);
@@ -163,15 +154,10 @@ private:
   // Above the plane; what rounding alone keeps off it is on it.
   double height(int vertex) const
   {
-    const Vector3 way = this->Surface.points[vertex] - this->Origin;
-    const double above = this->Normal.dot(way);
+    const Vector3 way = this->surface.points[vertex] - this->origin;
+    const double above = this->normal.dot(way);
     return above * above <= 1e-24 * way.squaredNorm() ? 0.0 : above;
   }
-
-  const Mesh& Surface;
-  const Adjacency& Links;
-  const std::vector<Sectioner::Face>& Faces;
-  Vector3 Origin, Normal;
 };
 
 [[noreturn]] void refuseWay(const Way& way, const Message& goal)
@@ -277,7 +263,7 @@ public:
     , Frame(frame)
     , Rules(rules)
     , Right(rules.right.dot(frame.side) < 0.0 ? Vector3(-frame.side) : frame.side)
-    , Across(mesh, adjacency, faces, frame.origin, frame.along)
+    , Across{ mesh, adjacency, faces, frame.origin, frame.along }
   {
   }
 
@@ -387,7 +373,7 @@ private:
         "The cross-section's ends and the mesh's centre lie on one line, which no plane goes through alone; "
         "walk in the plane across the curve.");
     }
-    const Walker walker(this->Surface, this->Links, this->Faces, begin, normal.normalized());
+    const Walker walker{ this->Surface, this->Links, this->Faces, begin, normal.normalized() };
     const auto crossed = [&](const Crossing& met) {
       return walker.crossedNear({ met.v0, met.v1 }, this->Across.pointOf(met));
     };
@@ -420,11 +406,7 @@ Sectioner::Sectioner(const Mesh& mesh, const Adjacency& adjacency, const std::ve
   , Boundary(boundaryEdges(adjacency, boundary))
   , Faces(mesh.triangles.size())
 {
-  std::vector<char> onBoundary(adjacency.edges.size(), 0);
-  for (const int e : this->Boundary)
-  {
-    onBoundary[e] = 1;
-  }
+  std::vector<char> onBoundary = marksAt(this->Boundary, adjacency.edges.size());
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     this->Faces[t].corners = mesh.triangles[t];

@@ -202,11 +202,7 @@ std::vector<signed char> chainSides(const Mesh& mesh,
   const std::vector<int>& chain)
 {
   std::vector<signed char> side(mesh.points.size(), 0);
-  std::vector<char> done(mesh.points.size(), 0);
-  for (const int v : chain)
-  {
-    done[v] = 1;
-  }
+  std::vector<char> done = marksAt(chain, mesh.points.size());
   struct Way
   {
     double length;
@@ -268,11 +264,7 @@ CurveFields curveFields(const Mesh& patch,
 {
   const Adjacency adjacency = buildAdjacency(patch, context);
   const std::vector<int> border = discBorder(patch, adjacency);
-  std::vector<char> fixed(patch.points.size(), 0);
-  for (const int v : border)
-  {
-    fixed[v] = 1;
-  }
+  std::vector<char> fixed = marksAt(border, patch.points.size());
   checkChain(patch, adjacency, reference, fixed);
 
   const std::optional<Directions> directions = directionsUnless(rules.straight, patch, adjacency, context);
@@ -297,12 +289,7 @@ CurveFields curveFields(const Mesh& patch,
   {
     if (c > 0.0)
     {
-      std::vector<double> room;
-      room.reserve(whole.size());
-      for (const double w : whole)
-      {
-        room.push_back(c * w);
-      }
+      const auto room = mapped(whole, [c](double w) { return c * w; });
       smoothField(patch, adjacency, room, held, field, context);
     }
   };

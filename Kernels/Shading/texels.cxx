@@ -262,11 +262,8 @@ void Shading::paint(const ShadedPlaces& places,
   const Context& context) const
 {
   const Table whole = this->tableOf(this->Whole, context);
-  std::vector<Table> tables;
-  for (const ShadedArea& area : this->Areas)
-  {
-    tables.push_back(this->tableOf(area.layers, context));
-  }
+  const auto tables =
+    mapped(this->Areas, [&](const ShadedArea& area) { return this->tableOf(area.layers, context); });
   const std::size_t vertices = places.vertices.size();
   context.each(static_cast<int>(places.texels.size()),
     [&](int i)

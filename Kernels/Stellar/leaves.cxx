@@ -429,16 +429,6 @@ std::vector<int> vertexOrder(const Forest& forest)
   return order;
 }
 
-std::vector<int> inverse(const std::vector<int>& order, std::size_t size)
-{
-  std::vector<int> places(size, -1);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    places[order[i]] = static_cast<int>(i);
-  }
-  return places;
-}
-
 } // namespace
 
 Canonical canonical(const Forest& forest, const Context& context)
@@ -449,8 +439,8 @@ Canonical canonical(const Forest& forest, const Context& context)
   context.checkpoint(0.4);
   result.vertexFrom = vertexOrder(forest);
   context.checkpoint(0.7);
-  const std::vector<int> newFace = inverse(result.faceFrom, forest.faces.size()),
-                         newVertex = inverse(result.vertexFrom, forest.vertices.size());
+  const std::vector<int> newFace = placesIn(result.faceFrom, forest.faces.size()),
+                         newVertex = placesIn(result.vertexFrom, forest.vertices.size());
   const int faceCount = static_cast<int>(result.faceFrom.size()),
             vertexCount = static_cast<int>(result.vertexFrom.size());
   out.rootCount = forest.rootCount;

@@ -157,11 +157,7 @@ CurveNeighbourhood neighbourhoodOf(const Mesh& mesh,
 {
   const double thin = squaredSine(15.0);
   const CurveSearch search(curves);
-  std::vector<double> radii;
-  for (const FeatureCurve& curve : curves)
-  {
-    radii.push_back(curve.radius.value_or(radius));
-  }
+  const auto radii = mapped(curves, [&](const FeatureCurve& curve) { return curve.radius.value_or(radius); });
   std::vector<char> near(mesh.triangles.size(), 0);
   std::vector<double> edges(near.size(), 0.0), weights = edges, ofThin = edges;
   context.eachUntilCancelled(mesh.triangleCount(),

@@ -12,6 +12,7 @@
 #include <iomanip>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <utility>
 

@@ -5,8 +5,6 @@
 #include "Stellar/distance.h"
 #include "Stellar/staying.h"
 
-#include <optional>
-
 namespace oversketch
 {
 

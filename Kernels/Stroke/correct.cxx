@@ -27,12 +27,7 @@ struct Ring
   std::vector<double> feet(const Polyline& other) const
   {
     const NearestPlace nearest(this->points, true);
-    std::vector<double> places;
-    for (const Vector2& point : other)
-    {
-      places.push_back(nearest(point).along(this->lengths));
-    }
-    return places;
+    return mapped(other, [&](const Vector2& point) { return nearest(point).along(this->lengths); });
   }
   // How far round the other curve has come at each of its points: the way from foot to foot, each time the
   // shorter one, negative against the curve's direction.

@@ -432,12 +432,7 @@ PartPaths pathsTogether(const DrawnOver& drawn, const std::vector<int>& ends, co
 {
   const std::vector<PathField> fields = corridors(drawn, ends, context);
   const std::size_t count = fields.size();
-  std::vector<std::vector<Pixel>> sections;
-  sections.reserve(ends.size());
-  for (const int end : ends)
-  {
-    sections.push_back(drawn.section(end));
-  }
+  auto sections = mapped(ends, [&](int end) { return drawn.section(end); });
   PathSearch search;
   const auto treeOf = [&](std::size_t part, const std::vector<PathTree::Start>& starts)
   { return search(drawn.features, fields[part], starts, sections[part + 1], context); };

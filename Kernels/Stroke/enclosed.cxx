@@ -14,12 +14,7 @@ std::vector<char> enclosedBy(const std::vector<Vector2>& lasso,
   const auto rounded = [](const Vector2& p)
   { return cv::Point2f(static_cast<float>(p[0]), static_cast<float>(p[1])); };
   const auto box = boxRound(lasso);
-  std::vector<cv::Point2f> contour;
-  contour.reserve(lasso.size());
-  for (const Vector2& p : lasso)
-  {
-    contour.push_back(rounded(p));
-  }
+  const auto contour = mapped(lasso, rounded);
   std::vector<char> inside(places.size(), 0);
   withOpenCV("test which places a lasso encloses",
     [&]

@@ -24,12 +24,7 @@ struct NearGrid
   {
     for (int k = 0; k < 2; ++k)
     {
-      std::vector<double> values;
-      values.reserve(segments.size());
-      for (const SegmentEnds& s : segments)
-      {
-        values.push_back(s[0][k]);
-      }
+      auto values = mapped(segments, [k](const SegmentEnds& s) { return s[0][k]; });
       // The middle 98 % decide.
       const auto rank = [&](double share)
       {
@@ -291,12 +286,7 @@ std::vector<std::vector<int>> meetingSegments(const std::vector<PlaneCurve>& cur
 
 std::vector<Crossing> findCrossings(const std::vector<ImageSegment>& segments, const Context& context)
 {
-  std::vector<SegmentEnds> ends;
-  ends.reserve(segments.size());
-  for (const ImageSegment& s : segments)
-  {
-    ends.push_back({ s.from, s.to });
-  }
+  const auto ends = mapped(segments, [](const ImageSegment& s) { return SegmentEnds{ s.from, s.to }; });
   std::vector<Crossing> crossings;
   forEachNear(
     ends,

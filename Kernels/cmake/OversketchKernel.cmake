@@ -163,14 +163,13 @@ function (oversketch_gtest name)
   oversketch_at_home(${name} ${home} ${tests})
 endfunction ()
 
-# oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [HEADERS <file>...] [NOWRAP_HEADERS <file>...]
-# [KERNELS <target>...]): a VTK module whose filters are thin shells over the named kernels. SOURCES are files beside the classes
-# that are not wrapped, NOWRAP_HEADERS those of them that other modules include.
+# oversketch_filter_module(<module> CLASSES <class>... [SOURCES <file>...] [NOWRAP_CLASSES <name>...] [KERNELS <target>...]): a VTK
+# module whose filters are thin shells over the named kernels. SOURCES are files beside the classes that are not wrapped,
+# NOWRAP_CLASSES sources with headers that other modules include.
 macro (oversketch_filter_module module)
-  cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;HEADERS;NOWRAP_HEADERS" ${ARGN})
+  cmake_parse_arguments(oversketch "" "" "CLASSES;KERNELS;SOURCES;NOWRAP_CLASSES" ${ARGN})
   vtk_module_add_module(${module}
-    CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} HEADERS ${oversketch_HEADERS}
-    NOWRAP_HEADERS ${oversketch_NOWRAP_HEADERS})
+    CLASSES ${oversketch_CLASSES} SOURCES ${oversketch_SOURCES} NOWRAP_CLASSES ${oversketch_NOWRAP_CLASSES})
   vtk_module_link(${module} PRIVATE ${oversketch_KERNELS})
   oversketch_module_options(${module})
 endmacro ()

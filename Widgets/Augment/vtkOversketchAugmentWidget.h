@@ -59,9 +59,6 @@ protected:
   bool UseWheel(int notches) override;
 
 private:
-  vtkOversketchAugmentWidget(const vtkOversketchAugmentWidget&) = delete;
-  void operator=(const vtkOversketchAugmentWidget&) = delete;
-
   double RadiusBefore = 0.0, HeightBefore = 0.0; // the stroke that is drawn
   vtkMTimeType StrokeBefore = 0;                 // when the pen's last stroke was made
 };

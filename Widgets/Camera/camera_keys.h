@@ -48,8 +48,6 @@ class KeyList
 public:
   KeyList();
   ~KeyList();
-  KeyList(const KeyList&) = delete;
-  KeyList& operator=(const KeyList&) = delete;
 
   // Null shows it nowhere.
   void show(vtkRenderer* in, const std::string& text);

@@ -69,9 +69,6 @@ protected:
   ~vtkOversketchCameraRepresentation() override;
 
 private:
-  vtkOversketchCameraRepresentation(const vtkOversketchCameraRepresentation&) = delete;
-  void operator=(const vtkOversketchCameraRepresentation&) = delete;
-
   // Display position in px from the dial's centre.
   void FromCentre(double x, double y, double out[2]);
 

@@ -38,9 +38,6 @@ protected:
   ~vtkOversketchCameraWidget() override;
 
 private:
-  vtkOversketchCameraWidget(const vtkOversketchCameraWidget&) = delete;
-  void operator=(const vtkOversketchCameraWidget&) = delete;
-
   // Callbacks of the event translator.
   static void Press(vtkAbstractWidget* widget);
   static void Move(vtkAbstractWidget* widget);

@@ -225,9 +225,6 @@ protected:
   ~vtkOversketchInteractorStyle() override;
 
 private:
-  vtkOversketchInteractorStyle(const vtkOversketchInteractorStyle&) = delete;
-  void operator=(const vtkOversketchInteractorStyle&) = delete;
-
   int Mode = Navigate;
   int Orbit = Trackball;
   int UpAxis = 1;

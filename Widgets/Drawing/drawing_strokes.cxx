@@ -74,14 +74,7 @@ void blend(const Laid& old,
   vtkPointData* into)
 {
   const auto valuesOf = [](const Laid& of, vtkDataArray* array)
-  {
-    std::vector<double> values;
-    for (const vtkIdType id : of.drawn.Ids)
-    {
-      values.push_back(array->GetComponent(id, 0));
-    }
-    return values;
-  };
+  { return oversketch::mapped(of.drawn.Ids, [array](vtkIdType id) { return array->GetComponent(id, 0); }); };
   const std::vector<double> had = valuesOf(old, before), has = valuesOf(fresh, after);
   const auto array = vtkSmartPointer<vtkDataArray>::Take(before->NewInstance());
   array->SetName(before->GetName());

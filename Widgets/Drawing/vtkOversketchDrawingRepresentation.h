@@ -79,9 +79,6 @@ protected:
   ~vtkOversketchDrawingRepresentation() override;
 
 private:
-  vtkOversketchDrawingRepresentation(const vtkOversketchDrawingRepresentation&) = delete;
-  void operator=(const vtkOversketchDrawingRepresentation&) = delete;
-
   struct Internals;
   std::unique_ptr<Internals> Inner;
 };

@@ -156,9 +156,6 @@ protected:
   void Heard(vtkObject* pen, unsigned long event, void* data) override;
 
 private:
-  vtkOversketchDrawingWidget(const vtkOversketchDrawingWidget&) = delete;
-  void operator=(const vtkOversketchDrawingWidget&) = delete;
-
   // Callbacks of the event translator.
   static void MoveTo(vtkAbstractWidget* widget);
   static void PanBegins(vtkAbstractWidget* widget);

@@ -19,8 +19,6 @@ class DiscWindow
 public:
   DiscWindow();
   ~DiscWindow();
-  DiscWindow(const DiscWindow&) = delete;
-  DiscWindow& operator=(const DiscWindow&) = delete;
 
   // Whose window has an interactor; null: none.
   void setRenderer(vtkRenderer* renderer);

@@ -32,8 +32,6 @@ class Overlay
 public:
   Overlay();
   ~Overlay();
-  Overlay(const Overlay&) = delete;
-  Overlay& operator=(const Overlay&) = delete;
 
   void clear();
   // px from the viewport's lower left corner. A polygon is convex.

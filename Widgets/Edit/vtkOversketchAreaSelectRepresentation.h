@@ -65,12 +65,10 @@ public:
    */
   void PutOnDisc(vtkPolyData* stroke, vtkPolyData* area);
 
-  ///@{
   /**
    * As a prop.
    */
   double* GetBounds() VTK_SIZEHINT(6) override;
-  ///@}
 
 protected:
   vtkOversketchAreaSelectRepresentation();
@@ -79,9 +77,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchAreaSelectRepresentation(const vtkOversketchAreaSelectRepresentation&) = delete;
-  void operator=(const vtkOversketchAreaSelectRepresentation&) = delete;
-
   void Follow();
 
   int Side = Disc;

@@ -67,9 +67,6 @@ protected:
   void ShowText(const std::string& text) override;
 
 private:
-  vtkOversketchAreaSelectWidget(const vtkOversketchAreaSelectWidget&) = delete;
-  void operator=(const vtkOversketchAreaSelectWidget&) = delete;
-
   void Publish(vtkPolyData* areas);
 
   vtkNew<vtkPolyData> Areas;

@@ -100,9 +100,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchAxisHandleRepresentation(const vtkOversketchAxisHandleRepresentation&) = delete;
-  void operator=(const vtkOversketchAxisHandleRepresentation&) = delete;
-
   int SelectedHandle = -1;
 
   struct Internals;

@@ -35,8 +35,6 @@ bool holds(const std::vector<double>& places, double t)
 
 } // namespace
 
-vtkOversketchAxisHandleWidget::vtkOversketchAxisHandleWidget() = default;
-
 vtkOversketchAxisHandleWidget::~vtkOversketchAxisHandleWidget()
 {
   this->vtkOversketchAxisHandleWidget::SetEnabled(0);

@@ -81,7 +81,7 @@ public:
   void CreateDefaultRepresentation() override;
 
 protected:
-  vtkOversketchAxisHandleWidget();
+  vtkOversketchAxisHandleWidget() = default;
   ~vtkOversketchAxisHandleWidget() override;
 
   bool Grasp(int grip, const int at[2]) override;
@@ -90,9 +90,6 @@ protected:
   bool UseKey(const std::string& key) override;
 
 private:
-  vtkOversketchAxisHandleWidget(const vtkOversketchAxisHandleWidget&) = delete;
-  void operator=(const vtkOversketchAxisHandleWidget&) = delete;
-
   void PullLine(const int at[2]);
   void PullAxis(const int at[2]);
   void Select(double t);

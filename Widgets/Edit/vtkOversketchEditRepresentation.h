@@ -44,9 +44,6 @@ protected:
   ~vtkOversketchEditRepresentation() override;
 
 private:
-  vtkOversketchEditRepresentation(const vtkOversketchEditRepresentation&) = delete;
-  void operator=(const vtkOversketchEditRepresentation&) = delete;
-
   std::unique_ptr<oversketch::MovedRegion> Region;
 };
 

@@ -34,7 +34,6 @@
 #include "vtkAbstractWidget.h"
 
 #include <memory>
-#include <string>
 
 namespace oversketch
 {
@@ -182,9 +181,6 @@ protected:
   ~vtkOversketchEditWidget() override;
 
 private:
-  vtkOversketchEditWidget(const vtkOversketchEditWidget&) = delete;
-  void operator=(const vtkOversketchEditWidget&) = delete;
-
   // Callback of the event translator.
   static void Key(vtkAbstractWidget* widget);
 

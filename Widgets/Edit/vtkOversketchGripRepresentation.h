@@ -89,9 +89,6 @@ protected:
   void AddActor(vtkActor* actor);
 
 private:
-  vtkOversketchGripRepresentation(const vtkOversketchGripRepresentation&) = delete;
-  void operator=(const vtkOversketchGripRepresentation&) = delete;
-
   int ActiveGrip = 0;
   double GrabDistance = 8.0;
 

@@ -67,9 +67,6 @@ protected:
   void ValueChanged();
 
 private:
-  vtkOversketchGripWidget(const vtkOversketchGripWidget&) = delete;
-  void operator=(const vtkOversketchGripWidget&) = delete;
-
   // Callbacks of the event translator.
   static void Press(vtkAbstractWidget* widget);
   static void MoveTo(vtkAbstractWidget* widget);

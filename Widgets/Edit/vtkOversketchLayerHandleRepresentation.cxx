@@ -27,7 +27,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 using namespace oversketch;

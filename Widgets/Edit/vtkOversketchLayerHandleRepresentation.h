@@ -115,9 +115,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchLayerHandleRepresentation(const vtkOversketchLayerHandleRepresentation&) = delete;
-  void operator=(const vtkOversketchLayerHandleRepresentation&) = delete;
-
   void Follow();
 
   int Side = Disc;

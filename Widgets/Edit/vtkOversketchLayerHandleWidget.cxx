@@ -28,8 +28,6 @@ double roundedShare(double share)
 
 } // namespace
 
-vtkOversketchLayerHandleWidget::vtkOversketchLayerHandleWidget() = default;
-
 vtkOversketchLayerHandleWidget::~vtkOversketchLayerHandleWidget()
 {
   this->vtkOversketchLayerHandleWidget::SetEnabled(0);

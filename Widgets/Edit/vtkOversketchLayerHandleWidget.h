@@ -63,7 +63,7 @@ public:
   void CreateDefaultRepresentation() override;
 
 protected:
-  vtkOversketchLayerHandleWidget();
+  vtkOversketchLayerHandleWidget() = default;
   ~vtkOversketchLayerHandleWidget() override;
 
   bool Grasp(int grip, const int at[2]) override;
@@ -72,9 +72,6 @@ protected:
   bool UseKey(const std::string& key) override;
 
 private:
-  vtkOversketchLayerHandleWidget(const vtkOversketchLayerHandleWidget&) = delete;
-  void operator=(const vtkOversketchLayerHandleWidget&) = delete;
-
   std::string Before, Held; // the layers at the press; the same with the handle in the hand as their last
   int HeldArea = -1;        // whose layers the hand has
   double LastRest = -1.0;   // of the handle that was in the hand last

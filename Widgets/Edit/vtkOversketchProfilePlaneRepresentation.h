@@ -54,13 +54,11 @@ public:
    */
   void SetSection(vtkPolyData* planes, vtkPolyData* section);
 
-  ///@{
   /**
    * For a drag: the share of the line's length [0 to 1] that the plane comes to when it is dragged from one
    * place of the window [px, y up] to another, from a share on.
    */
   double GetSlid(double t, const int from[2], const int to[2]);
-  ///@}
 
 protected:
   vtkOversketchProfilePlaneRepresentation();
@@ -70,9 +68,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchProfilePlaneRepresentation(const vtkOversketchProfilePlaneRepresentation&) = delete;
-  void operator=(const vtkOversketchProfilePlaneRepresentation&) = delete;
-
   void LayOut();
 
   struct Internals;

@@ -117,9 +117,6 @@ protected:
   bool UseKey(const std::string& key) override;
 
 private:
-  vtkOversketchProfilePlaneWidget(const vtkOversketchProfilePlaneWidget&) = delete;
-  void operator=(const vtkOversketchProfilePlaneWidget&) = delete;
-
   void ShowRegion();
   bool Cut();
   void ShowProfile();

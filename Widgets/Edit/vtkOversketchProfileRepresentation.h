@@ -48,9 +48,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchProfileRepresentation(const vtkOversketchProfileRepresentation&) = delete;
-  void operator=(const vtkOversketchProfileRepresentation&) = delete;
-
   struct Internals;
   std::unique_ptr<Internals> Inner;
 };

@@ -60,9 +60,6 @@ protected:
   void Paint(const oversketch::View& view, oversketch::Overlay& overlay) override;
 
 private:
-  vtkOversketchRegionRepresentation(const vtkOversketchRegionRepresentation&) = delete;
-  void operator=(const vtkOversketchRegionRepresentation&) = delete;
-
   bool LineWas = false;
 
   struct Internals;

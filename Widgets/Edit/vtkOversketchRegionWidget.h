@@ -107,9 +107,6 @@ protected:
   void ShowText(const std::string& text) override;
 
 private:
-  vtkOversketchRegionWidget(const vtkOversketchRegionWidget&) = delete;
-  void operator=(const vtkOversketchRegionWidget&) = delete;
-
   // Callback of the event translator.
   static void Hover(vtkAbstractWidget* widget);
 

@@ -29,8 +29,6 @@ class OVERSKETCHWIDGETSLIVE_EXPORT HostedSystem
 public:
   HostedSystem();
   ~HostedSystem();
-  HostedSystem(const HostedSystem&) = delete;
-  HostedSystem& operator=(const HostedSystem&) = delete;
 
   // The system that runs; one has to be set before anything else is asked. Its inputs are the widget's.
   vtkOversketchSystem* system() const { return this->System; }

@@ -55,9 +55,6 @@ protected:
   ~vtkOversketchLiveStrokeRepresentation() override;
 
 private:
-  vtkOversketchLiveStrokeRepresentation(const vtkOversketchLiveStrokeRepresentation&) = delete;
-  void operator=(const vtkOversketchLiveStrokeRepresentation&) = delete;
-
   std::unique_ptr<oversketch::MovedRegion> Region;
 };
 

@@ -135,9 +135,6 @@ protected:
   void Refresh() override;
 
 private:
-  vtkOversketchLiveStrokeWidget(const vtkOversketchLiveStrokeWidget&) = delete;
-  void operator=(const vtkOversketchLiveStrokeWidget&) = delete;
-
   void StopWatching();
   void LookNow();
   void MakeReady();

@@ -43,10 +43,6 @@ public:
 protected:
   vtkOversketchOneStrokeWidget();
   ~vtkOversketchOneStrokeWidget() override;
-
-private:
-  vtkOversketchOneStrokeWidget(const vtkOversketchOneStrokeWidget&) = delete;
-  void operator=(const vtkOversketchOneStrokeWidget&) = delete;
 };
 
 #endif

@@ -14,7 +14,6 @@ class vtkPlaneSource;
 class vtkRenderWindow;
 class vtkTexture;
 class vtkTexturedActor2D;
-class vtkUnsignedCharArray;
 
 namespace oversketch
 {
@@ -24,8 +23,6 @@ class LastFrame
 public:
   LastFrame();
   ~LastFrame();
-  LastFrame(const LastFrame&) = delete;
-  LastFrame& operator=(const LastFrame&) = delete;
 
   // Takes the picture that the window shows and switches its renderers' drawing off. False, and nothing
   // changed, when the picture could not be read.

@@ -17,8 +17,6 @@ class OVERSKETCHWIDGETSPEN_EXPORT MovedRegion
 public:
   MovedRegion();
   ~MovedRegion();
-  MovedRegion(const MovedRegion&) = delete;
-  MovedRegion& operator=(const MovedRegion&) = delete;
 
   // Null or one without polygons shows none.
   void show(vtkPolyData* region);

@@ -65,9 +65,6 @@ protected:
   bool IsOver() const { return this->Over; }
 
 private:
-  vtkOversketchCurvePenWidget(const vtkOversketchCurvePenWidget&) = delete;
-  void operator=(const vtkOversketchCurvePenWidget&) = delete;
-
   // Callbacks of the event translator.
   static void Press(vtkAbstractWidget* widget);
   static void Key(vtkAbstractWidget* widget);

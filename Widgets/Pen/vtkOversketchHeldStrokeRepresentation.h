@@ -119,9 +119,6 @@ protected:
   ~vtkOversketchHeldStrokeRepresentation() override;
 
 private:
-  vtkOversketchHeldStrokeRepresentation(const vtkOversketchHeldStrokeRepresentation&) = delete;
-  void operator=(const vtkOversketchHeldStrokeRepresentation&) = delete;
-
   bool ShowStroke = true;
   bool ShowFromElsewhere = true;
   bool Highlighted = false;

@@ -140,9 +140,6 @@ protected:
   double Place[3] = { 0.0, 0.0, 0.0 };
 
 private:
-  vtkOversketchHeldStrokeWidget(const vtkOversketchHeldStrokeWidget&) = delete;
-  void operator=(const vtkOversketchHeldStrokeWidget&) = delete;
-
   // Callbacks of the event translator.
   static void Press(vtkAbstractWidget* widget);
   static void MoveTo(vtkAbstractWidget* widget);

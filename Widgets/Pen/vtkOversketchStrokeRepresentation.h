@@ -149,9 +149,6 @@ protected:
   ~vtkOversketchStrokeRepresentation() override;
 
 private:
-  vtkOversketchStrokeRepresentation(const vtkOversketchStrokeRepresentation&) = delete;
-  void operator=(const vtkOversketchStrokeRepresentation&) = delete;
-
   struct Internals;
   std::unique_ptr<Internals> Inner;
 };

@@ -136,9 +136,6 @@ protected:
   ~vtkOversketchStrokeWidget() override;
 
 private:
-  vtkOversketchStrokeWidget(const vtkOversketchStrokeWidget&) = delete;
-  void operator=(const vtkOversketchStrokeWidget&) = delete;
-
   // Callbacks of the event translator.
   static void Press(vtkAbstractWidget* widget);
   static void Move(vtkAbstractWidget* widget);

@@ -38,8 +38,6 @@ public:
   // Waits for what is being written. The folder stays, to be found by the next program, unless discard was
   // called.
   ~Autosave();
-  Autosave(const Autosave&) = delete;
-  Autosave& operator=(const Autosave&) = delete;
 
   // Returns at once; a thread writes, and of several sessions in a row perhaps only the newest. Data of the
   // session must not be changed afterwards. `kept` is called on that thread once it is on the disk.

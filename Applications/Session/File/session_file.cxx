@@ -18,7 +18,6 @@
 
 #include "vtk_jsoncpp.h"
 
-#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <set>

@@ -13,14 +13,11 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace oversketch_session
 {
-
-class SystemRunner;
 
 class Evaluator
 {
@@ -31,8 +28,6 @@ public:
   explicit Evaluator(std::size_t bytes = std::size_t(2) << 30,
     const std::vector<SystemRow>& rows = systems());
   ~Evaluator();
-  Evaluator(const Evaluator&) = delete;
-  Evaluator& operator=(const Evaluator&) = delete;
 
   struct Watch
   {

@@ -43,8 +43,6 @@ public:
   SectionFinder(const SystemRow& system, std::function<void()> found, Look look = {});
   // Cancels what runs and waits for it.
   ~SectionFinder();
-  SectionFinder(const SectionFinder&) = delete;
-  SectionFinder& operator=(const SectionFinder&) = delete;
 
   // The newest answer, once. A stroke that a newer one replaced before it was looked at has none.
   std::optional<Found> take();

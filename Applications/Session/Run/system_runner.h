@@ -30,8 +30,6 @@ class SystemRunner
 public:
   explicit SystemRunner(const SystemRow& row);
   ~SystemRunner();
-  SystemRunner(const SystemRunner&) = delete;
-  SystemRunner& operator=(const SystemRunner&) = delete;
 
   // Data of the row's inputs, by their names.
   using Data = std::map<std::string, vtkSmartPointer<vtkDataObject>>;

@@ -81,8 +81,6 @@ public:
   explicit Worker(Listener listener);
   // Cancels what runs and waits for it.
   ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
 
   // Runs it as soon as it can, instead of what runs or waits; then prepares its result for the next step.
   // The model's data must not be changed afterwards. Returns the ticket, one more than the last.

@@ -20,6 +20,14 @@ using Value = std::variant<bool, int, double, std::vector<double>, std::string>;
 // By the class's own names of them ("AdjustNormals").
 using Values = std::map<std::string, Value>;
 
+// One of them; `otherwise` where it is not there.
+template <typename T>
+T valueOr(const Values& values, const char* name, T otherwise)
+{
+  const auto it = values.find(name);
+  return it == values.end() ? otherwise : std::get<T>(it->second);
+}
+
 // A picture or a grid of heights, kept as the bytes of its file.
 struct Image
 {

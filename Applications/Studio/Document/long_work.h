@@ -27,8 +27,6 @@ class WorkHere
 public:
   WorkHere(QWidget* parent, const QString& what);
   ~WorkHere();
-  WorkHere(const WorkHere&) = delete;
-  WorkHere& operator=(const WorkHere&) = delete;
 
   // Says how much of it is done [0 to 1], and lets the dialogue hear the hand; returns whether to go on.
   bool goesOn(double share);

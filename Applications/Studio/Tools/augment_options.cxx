@@ -25,13 +25,6 @@ namespace
 constexpr double ownRadius = 0.03; // of the diagonal: the system's
 constexpr ulong pause = 1000;      // ms; a hand that rests so long begins anew
 
-template <typename T>
-T valueOr(const Values& values, const char* name, T otherwise)
-{
-  const auto it = values.find(name);
-  return it == values.end() ? otherwise : std::get<T>(it->second);
-}
-
 } // namespace
 
 AugmentOptions::AugmentOptions(QWidget* parent)

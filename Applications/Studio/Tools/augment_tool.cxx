@@ -14,8 +14,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <QLayout>
-
 #include <algorithm>
 #include <iterator>
 
@@ -50,28 +48,16 @@ AugmentTool::AugmentTool(Viewport* viewport, const Document* document)
   , Profile(new ProfileEditor(viewport))
 {
   this->setObjectName("augment");
-  this->Options->hide(); // until the window has a place for them
-  this->Profile->hide();
+  this->setBar(this->Options);
+  this->Profile->hide(); // until the window has a place for it
   connect(this->Options, &AugmentOptions::shaped, this, &AugmentTool::reshape);
   connect(this->Profile, &ProfileEditor::shaped, this, &AugmentTool::reshape);
-  const auto begin = [this](vtkPolyData* mesh)
-  {
-    this->Sized = mesh != nullptr;
-    this->Options->begin(mesh ? mesh->GetLength() : 0.0);
-    this->setValues(this->values());
-  };
-  connect(document, &Document::opened, this, [document, begin] { begin(document->session().mesh); });
-  connect(document,
-    &Document::shown,
-    this,
-    [this, document, begin]
+  this->beginWithModels(
+    [this](double diagonal)
     {
-      if (!this->Sized && document->result().mesh) // a first step made it
-      {
-        begin(document->result().mesh);
-      }
+      this->Options->begin(diagonal);
+      this->setValues(this->values());
     });
-  this->setValues(this->values());
 }
 
 // A surface, and a line's section that rises from it.
@@ -137,26 +123,11 @@ QString AugmentTool::stage(const QString& name) const
   return name == "Simplify" ? tr("Taking triangles away") : tr("Finding the line on the model");
 }
 
-QWidget* AugmentTool::makeOptions(QWidget* parent)
-{
-  this->Options->setParent(parent);
-  this->Options->show();
-  // In the same lines.
-  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Options))
-  {
-    this->Options->layout()->addWidget(mirror);
-  }
-  return this->Options;
-}
-
 // Lengths as shares of the model's size.
 Values AugmentTool::options() const
 {
-  Values options = HeldStrokeTool::options();
-  for (const auto& [name, value] : this->values())
-  {
-    options[name] = value;
-  }
+  Values options = this->values();
+  options.merge(HeldStrokeTool::options());
   options.erase("TargetEdgeLength"); // follows from the others
   for (const char* length : { "Radius", "Height" })
   {
@@ -190,10 +161,8 @@ void AugmentTool::offer(const Step& step, const Worker::NodeState& state, const 
 {
   HeldStrokeTool::offer(step, state, place);
   this->Options->setValues(step.values);
-  const auto profile = step.values.find("Profile"), sharpness = step.values.find("Sharpness");
   this->Profile->setShape(
-    profile == step.values.end() ? std::string() : std::get<std::string>(profile->second),
-    sharpness == step.values.end() ? 1.5 : std::get<double>(sharpness->second));
+    valueOr(step.values, "Profile", std::string()), valueOr(step.values, "Sharpness", 1.5));
   this->setValues(this->values());
 }
 
@@ -206,11 +175,6 @@ Values AugmentTool::values() const
   const double finer = std::get<double>(values["Radius"]) / 8.0;
   values["TargetEdgeLength"] = this->Profile->profile().empty() ? 0.0 : finer;
   return values;
-}
-
-void AugmentTool::reshape(bool mergesIntoLast)
-{
-  this->shape(this->values(), mergesIntoLast);
 }
 
 // Without what the last step has raised, which the mesh carries.

@@ -30,7 +30,6 @@ public:
   QString advice(const Situation& situation) const override;
   QString stage(const QString& name) const override;
   // The options are those of the red line, which follows them, and of the lines that come.
-  QWidget* makeOptions(QWidget* parent) override;
   oversketch_session::Values options() const override;
   void setOptions(const oversketch_session::Values& options) override;
   QString pressure() const override { return tr("is the line's height, where Pressure is height is ticked"); }
@@ -45,11 +44,10 @@ protected:
 
 private:
   oversketch_session::Values values() const;
-  void reshape(bool mergesIntoLast);
+  void reshape(bool mergesIntoLast) { this->shape(this->values(), mergesIntoLast); }
 
   AugmentOptions* Options;
   ProfileEditor* Profile;
-  bool Sized = false; // lengths are those of the open model
 };
 
 } // namespace oversketch_studio

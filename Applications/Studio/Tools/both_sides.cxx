@@ -209,12 +209,7 @@ void BothSides::bind(vtkPolyData* live, vtkPolyData* rest, vtkPolyData* moved, c
       { cell->GetPointId(0), cell->GetPointId(1), cell->GetPointId(2) },
       { weights[0], weights[1], weights[2] } });
   }
-  std::vector<vtkIdType> moving;
-  for (const Follower& follower : this->Followers)
-  {
-    moving.push_back(follower.point);
-  }
-  this->Normals.bind(live, moving);
+  this->Normals.bind(live, oversketch::mapped(this->Followers, &Follower::point));
 }
 
 } // namespace oversketch_studio

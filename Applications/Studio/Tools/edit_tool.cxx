@@ -49,11 +49,6 @@ QString EditTool::hint() const
                                     : QString();
 }
 
-HintShape EditTool::hintShape() const
-{
-  return this->Hand->hasLine() ? HintShape::Ring : HintShape::Line;
-}
-
 QString EditTool::advice(const Situation& situation) const
 {
   if (!this->Hand->message().isEmpty())

@@ -24,7 +24,7 @@ public:
 
   QVector<QPair<QString, QString>> keys() const override;
   QString hint() const override;
-  HintShape hintShape() const override;
+  HintShape hintShape() const override { return this->Hand->hasLine() ? HintShape::Ring : HintShape::Line; }
   QString advice(const Situation& situation) const override;
   bool judges() const override;
   QString stage(const QString& name) const override;

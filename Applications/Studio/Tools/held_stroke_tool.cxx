@@ -116,13 +116,46 @@ QVector<QPair<QString, QString>> HeldStrokeTool::keys() const
     { tr("Shift + left drag"), tr("on the red line: redraw a part") } };
 }
 
+void HeldStrokeTool::setBar(QWidget* bar)
+{
+  this->Bar = bar;
+  bar->hide();
+}
+
+void HeldStrokeTool::beginWithModels(const std::function<void(double)>& begin)
+{
+  const auto with = [this, begin](vtkPolyData* mesh)
+  {
+    this->Sized = mesh != nullptr;
+    begin(mesh ? mesh->GetLength() : 0.0);
+  };
+  const Document* document = this->OpenDocument;
+  connect(document, &Document::opened, this, [document, with] { with(document->session().mesh); });
+  connect(document,
+    &Document::shown,
+    this,
+    [this, document, with]
+    {
+      if (!this->Sized && document->result().mesh)
+      {
+        with(document->result().mesh);
+      }
+    });
+  with(nullptr);
+}
+
 QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
 {
+  if (this->Bar)
+  {
+    this->Bar->setParent(parent);
+    this->Bar->show();
+  }
   if (findSystem(this->System)->mirroring == Mirroring::None)
   {
-    return nullptr;
+    return this->Bar;
   }
-  auto* options = new QWidget(parent);
+  auto* options = new QWidget(this->Bar ? this->Bar : parent);
   auto* label = new QLabel(tr("Mirror"), options);
   this->Mirror = StepPanel::mirrorChoice(options);
   label->setBuddy(this->Mirror);
@@ -139,7 +172,11 @@ QWidget* HeldStrokeTool::makeOptions(QWidget* parent)
     QOverload<int>::of(&QComboBox::activated),
     this,
     [this] { this->View->showMirror(this->mirrorPlane()); });
-  return options;
+  if (this->Bar) // in the same lines
+  {
+    this->Bar->layout()->addWidget(options);
+  }
+  return this->Bar ? this->Bar : options;
 }
 
 std::optional<MirrorPlane> HeldStrokeTool::mirrorPlane() const

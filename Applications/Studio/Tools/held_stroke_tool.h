@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -37,7 +38,7 @@ public:
 
   QVector<QPair<QString, QString>> keys() const override;
   std::string system() const override { return this->System; }
-  // Mirror, where the system's steps can have one.
+  // Those of setBar, and Mirror, where the system's steps can have one.
   QWidget* makeOptions(QWidget* parent) override;
   oversketch_session::Values options() const override;
   void setOptions(const oversketch_session::Values& options) override;
@@ -82,6 +83,11 @@ protected:
   virtual void lineGrows(vtkPolyData*) {}
   virtual void lineWhole(vtkPolyData*) {}
   virtual void lineEnds() {}
+  // Gives it options of its own, a widget with a layout that is hidden until the window has a place for it.
+  void setBar(QWidget* bar);
+  // Has options begin with each model: one that is opened, or the first one that a step makes. `begin` gets
+  // the diagonal of its box, 0 where there is none yet.
+  void beginWithModels(const std::function<void(double diagonal)>& begin);
   Viewport* viewport() const { return this->View; }
   const Document* document() const { return this->OpenDocument; }
 
@@ -97,7 +103,9 @@ private:
   std::string System, Input; // the stroke's
   Viewport* View;
   const Document* OpenDocument;
+  QWidget* Bar = nullptr; // null: none
   QComboBox* Mirror = nullptr;
+  bool Sized = false;                           // options are those of a model
   vtkNew<vtkOversketchHeldStrokeWidget> Widget; // shows and moves strokes; the document runs them
   PenSection Section;
   oversketch_session::Values StrokeValues;

@@ -1,11 +1,8 @@
 #include "mask_tool.h"
 
-#include "document.h"
 #include "flow_layout.h"
 #include "length_box.h"
 #include "viewport.h"
-
-#include "vtkPolyData.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -28,13 +25,6 @@ constexpr const char* invertName = "Invert";
 constexpr int replacing = 2; // of Mode
 constexpr double ownLengthOfSize = 0.02;
 
-template <typename T>
-T givenOr(const Values& values, const char* name, T otherwise)
-{
-  const auto found = values.find(name);
-  return found == values.end() ? otherwise : std::get<T>(found->second);
-}
-
 } // namespace
 
 MaskTool::MaskTool(Viewport* viewport, const Document* document)
@@ -45,7 +35,7 @@ MaskTool::MaskTool(Viewport* viewport, const Document* document)
   , Length(new LengthBox(this->Bar))
 {
   this->setObjectName("mask");
-  this->Bar->hide(); // until the window has a place for it
+  this->setBar(this->Bar);
   auto* row = new FlowLayout(this->Bar);
   row->setContentsMargins(6, 0, 0, 0);
   this->Mode->addItems({ tr("Mask"), tr("Free") });
@@ -78,7 +68,7 @@ MaskTool::MaskTool(Viewport* viewport, const Document* document)
   connected(addButton("mask_invert", tr("Invert"), tr("Mask what is free, and free what is masked")),
     [this]
     {
-      const bool inverts = this->shapesOffered() && givenOr(this->Selected, invertName, false);
+      const bool inverts = this->shapesOffered() && valueOr(this->Selected, invertName, false);
       this->act({ { invertName, !inverts } });
     });
   connected(addButton("mask_clear", tr("Clear"), tr("Free all of the model")),
@@ -93,23 +83,12 @@ MaskTool::MaskTool(Viewport* viewport, const Document* document)
   const auto set = [this] { this->setValues(this->ofLassos()); };
   connect(this->Mode, QOverload<int>::of(&QComboBox::currentIndexChanged), this, set);
   connect(this->Through, &QCheckBox::toggled, this, set);
-  const auto begin = [this](vtkPolyData* mesh)
-  {
-    this->Length->begin(mesh ? mesh->GetLength() : 0.0);
-    this->Length->setValue(ownLengthOfSize * this->Length->diagonal());
-  };
-  connect(document, &Document::opened, this, [document, begin] { begin(document->session().mesh); });
-  connect(document,
-    &Document::shown,
-    this,
-    [document, begin]
+  this->beginWithModels(
+    [this](double diagonal)
     {
-      if (!document->session().mesh && document->result().mesh) // a first step makes it
-      {
-        begin(document->result().mesh);
-      }
+      this->Length->begin(diagonal);
+      this->Length->setValue(ownLengthOfSize * this->Length->diagonal());
     });
-  begin(nullptr);
   set();
 }
 
@@ -142,17 +121,6 @@ QString MaskTool::advice(const Situation& situation) const
     "model, F1 lists the keys.");
 }
 
-QWidget* MaskTool::makeOptions(QWidget* parent)
-{
-  this->Bar->setParent(parent);
-  this->Bar->show();
-  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Bar))
-  {
-    this->Bar->layout()->addWidget(mirror);
-  }
-  return this->Bar;
-}
-
 Values MaskTool::ofLassos() const
 {
   return { { modeName, this->Mode->currentIndex() }, { throughName, this->Through->isChecked() } };
@@ -160,19 +128,16 @@ Values MaskTool::ofLassos() const
 
 Values MaskTool::options() const
 {
-  Values options = HeldStrokeTool::options();
-  for (const auto& [name, value] : this->ofLassos())
-  {
-    options[name] = value;
-  }
+  Values options = this->ofLassos();
+  options.merge(HeldStrokeTool::options());
   return options;
 }
 
 void MaskTool::setOptions(const Values& options)
 {
   HeldStrokeTool::setOptions(options);
-  this->Mode->setCurrentIndex(givenOr(options, modeName, 0));
-  this->Through->setChecked(givenOr(options, throughName, false));
+  this->Mode->setCurrentIndex(valueOr(options, modeName, 0));
+  this->Through->setChecked(valueOr(options, throughName, false));
 }
 
 void MaskTool::offer(const Step& step, const Worker::NodeState& state, const Point& place)
@@ -199,8 +164,8 @@ void MaskTool::act(const Values& values)
 void MaskTool::grow(double length)
 {
   const bool isOffered = this->shapesOffered();
-  const double before = isOffered ? givenOr(this->Selected, growName, 0.0) : 0.0;
-  const bool inverts = isOffered && givenOr(this->Selected, invertName, false);
+  const double before = isOffered ? valueOr(this->Selected, growName, 0.0) : 0.0;
+  const bool inverts = isOffered && valueOr(this->Selected, invertName, false);
   this->act({ { growName, before + (inverts ? -length : length) } });
 }
 

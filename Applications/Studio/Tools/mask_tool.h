@@ -29,7 +29,6 @@ public:
   QPainterPath icon() const override;
   QString advice(const Situation& situation) const override;
   QString stage(const QString&) const override { return tr("Masking"); }
-  QWidget* makeOptions(QWidget* parent) override;
   oversketch_session::Values options() const override;
   void setOptions(const oversketch_session::Values& options) override;
   void offer(const oversketch_session::Step& step,

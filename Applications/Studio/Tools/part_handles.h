@@ -23,8 +23,6 @@ class PartHandles
 public:
   explicit PartHandles(Viewport* view);
   ~PartHandles();
-  PartHandles(const PartHandles&) = delete;
-  PartHandles& operator=(const PartHandles&) = delete;
 
   // A drag has put the part there; `mergesIntoLast`: of the same drag as the last time. It was given up
   // (Escape).

@@ -79,8 +79,6 @@ class PlaceGizmo
 public:
   explicit PlaceGizmo(Viewport* view);
   ~PlaceGizmo();
-  PlaceGizmo(const PlaceGizmo&) = delete;
-  PlaceGizmo& operator=(const PlaceGizmo&) = delete;
 
   // The place it stands on: the middle before the pose, and the pose.
   struct Stand

@@ -1,6 +1,7 @@
 #include "pose_tool.h"
 
 #include "document.h"
+#include "point_normals.h"
 #include "systems.h"
 #include "viewport.h"
 
@@ -8,10 +9,7 @@
 #include "Stroke/polyline.h"
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchPose.h"
-#include "vtkOversketchSharedMesh.h"
 
-#include "vtkFloatArray.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -33,26 +31,6 @@ constexpr double nearOfLength =
   1.0 / 3.0;                           // of the bone's: a line that begins so near to its joint is its course
 constexpr double leastNear = 20.0;     // px as Qt counts them
 constexpr vtkIdType mostLive = 300000; // triangles of a mesh that follows while the pen moves
-
-// A mesh as it is shown, with normals.
-vtkSmartPointer<vtkPolyData> withNormals(vtkPolyData* mesh)
-{
-  auto shown = vtkSmartPointer<vtkPolyData>::New();
-  shown->ShallowCopy(mesh);
-  if (!mesh->GetPointData()->GetNormals())
-  {
-    const auto data = oversketch::SharedMesh(mesh);
-    vtkNew<vtkFloatArray> normals;
-    normals->SetName("normals");
-    normals->SetNumberOfComponents(3);
-    for (const oversketch::Vector3& normal : data->Normals())
-    {
-      normals->InsertNextTuple(normal.data());
-    }
-    shown->GetPointData()->SetNormals(normals);
-  }
-  return shown;
-}
 
 } // namespace
 
@@ -160,7 +138,7 @@ void PoseTool::feedLive()
   }
   try
   {
-    this->Live->SetInputData(0, withNormals(held.before));
+    this->Live->SetInputData(0, oversketch_files::withPointNormals(held.before.own()));
   }
   catch (const oversketch::Error&)
   {
@@ -185,11 +163,6 @@ bool PoseTool::follow(vtkPolyData* line)
   }
   this->viewport()->showPreview(this->Shown);
   return true;
-}
-
-void PoseTool::lineGrows(vtkPolyData* line)
-{
-  this->follow(line); // a line of few pixels poses nothing
 }
 
 // The document runs it; until then what was seen last stays.

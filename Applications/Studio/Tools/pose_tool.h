@@ -40,7 +40,7 @@ public:
 protected:
   bool grabs() const override { return false; } // the next line begins on it
   bool takesLine(vtkPolyData* line) override;
-  void lineGrows(vtkPolyData* line) override;
+  void lineGrows(vtkPolyData* line) override { this->follow(line); } // of few pixels it poses nothing
   void lineWhole(vtkPolyData* line) override;
   void lineEnds() override;
 

@@ -1,10 +1,7 @@
 #include "relax_tool.h"
 
-#include "document.h"
 #include "length_box.h"
 #include "viewport.h"
-
-#include "vtkPolyData.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,7 +28,6 @@ RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
   , Radius(new LengthBox(this->Bar))
 {
   this->setObjectName("relax");
-  this->Bar->hide(); // until the window has a place for it
   this->Radius->setObjectName("relax_radius");
   this->Radius->setAccessibleName(tr("Radius"));
   this->Radius->setToolTip(
@@ -46,18 +42,15 @@ RelaxTool::RelaxTool(Viewport* viewport, const Document* document)
     QOverload<double>::of(&LengthBox::valueChanged),
     this,
     [this](double radius) { this->setRadius(radius, false); });
-  connect(document, &Document::opened, this, [this, document] { this->begin(document->session().mesh); });
-  connect(document,
-    &Document::shown,
-    this,
-    [this, document]
+  this->setBar(this->Bar);
+  this->beginWithModels(
+    [this](double diagonal)
     {
-      if (!this->Sized && document->result().mesh) // a first step made it
-      {
-        this->begin(document->result().mesh);
-      }
+      const QSignalBlocker quiet(this->Radius);
+      this->Radius->begin(diagonal);
+      this->Radius->setValue(ownRadiusOfSize * this->Radius->diagonal());
+      this->setValues({ { radiusName, this->Radius->value() } });
     });
-  this->begin(nullptr);
 }
 
 // A bumpy line, and a smooth one under it.
@@ -96,17 +89,6 @@ QString RelaxTool::advice(const Situation& situation) const
     "turns the model, F1 lists the keys.");
 }
 
-QWidget* RelaxTool::makeOptions(QWidget* parent)
-{
-  this->Bar->setParent(parent);
-  this->Bar->show();
-  if (QWidget* mirror = HeldStrokeTool::makeOptions(this->Bar))
-  {
-    this->Bar->layout()->addWidget(mirror);
-  }
-  return this->Bar;
-}
-
 Values RelaxTool::options() const
 {
   Values options = HeldStrokeTool::options();
@@ -131,15 +113,6 @@ void RelaxTool::offer(const Step& step, const Worker::NodeState& state, const Po
     this->Radius->setValue(std::get<double>(radius->second));
     this->setValues({ { radiusName, this->Radius->value() } });
   }
-}
-
-void RelaxTool::begin(vtkPolyData* mesh)
-{
-  this->Sized = mesh != nullptr;
-  const QSignalBlocker quiet(this->Radius);
-  this->Radius->begin(mesh ? mesh->GetLength() : 0.0);
-  this->Radius->setValue(ownRadiusOfSize * this->Radius->diagonal());
-  this->setValues({ { radiusName, this->Radius->value() } });
 }
 
 void RelaxTool::setRadius(double radius, bool mergesIntoLast)

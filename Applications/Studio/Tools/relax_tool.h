@@ -30,7 +30,6 @@ public:
   QString advice(const Situation& situation) const override;
   QString stage(const QString&) const override { return tr("Smoothing"); }
   QString pressure() const override { return tr("is how much it smooths"); }
-  QWidget* makeOptions(QWidget* parent) override;
   // The radius as a share of the model's size.
   oversketch_session::Values options() const override;
   void setOptions(const oversketch_session::Values& options) override;
@@ -40,12 +39,10 @@ public:
   bool wheel(double notches, Qt::KeyboardModifiers modifiers, ulong time) override;
 
 private:
-  void begin(vtkPolyData* mesh);
   void setRadius(double radius, bool mergesIntoLast);
 
   QWidget* Bar;
   LengthBox* Radius;
-  bool Sized = false; // lengths are those of the open model
   ulong WheelTime = 0;
 };
 

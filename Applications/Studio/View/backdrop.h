@@ -19,8 +19,6 @@ class Backdrop
 public:
   Backdrop();
   ~Backdrop();
-  Backdrop(const Backdrop&) = delete;
-  Backdrop& operator=(const Backdrop&) = delete;
 
   void set(const oversketch_session::Pictures& pictures, vtkRenderer* renderer);
   // Puts them behind the mesh, where there is one.

@@ -28,8 +28,6 @@ class Display
 public:
   Display(vtkRenderer* renderer, ModelView& model);
   ~Display();
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
 
   // The camera looks at all of a box from the front, at one that lies flat where z is up from above, in a
   // view of that size [px], and the ground lies under it. `up`: 1 for y, 2 for z.

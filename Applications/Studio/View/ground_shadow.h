@@ -24,8 +24,6 @@ class GroundShadow
 public:
   explicit GroundShadow(vtkRenderer* renderer);
   ~GroundShadow();
-  GroundShadow(const GroundShadow&) = delete;
-  GroundShadow& operator=(const GroundShadow&) = delete;
 
   void setShown(bool shown) { this->Shown = shown; }
   // Says where the ground is: its height along the axis that is up, 1 for y, 2 for z.

@@ -20,8 +20,6 @@ class MaskSheet
 public:
   MaskSheet();
   ~MaskSheet();
-  MaskSheet(const MaskSheet&) = delete;
-  MaskSheet& operator=(const MaskSheet&) = delete;
 
   void addTo(vtkRenderer* renderer);
   // Shows the faces of the mesh with all corners masked (point array Mask, 1); null: none. They are looked

@@ -21,8 +21,6 @@ class MirrorSheet
 public:
   MirrorSheet();
   ~MirrorSheet();
-  MirrorSheet(const MirrorSheet&) = delete;
-  MirrorSheet& operator=(const MirrorSheet&) = delete;
 
   void addTo(vtkRenderer* renderer);
   // A little larger than the mesh; none hides it, and so does null.

@@ -49,8 +49,6 @@ class ModelView
 public:
   explicit ModelView(vtkRenderer* renderer);
   ~ModelView();
-  ModelView(const ModelView&) = delete;
-  ModelView& operator=(const ModelView&) = delete;
 
   // Shows a mesh in what it wears, instead of the last, where it is not the same; shows none.
   void show(vtkPolyData* mesh);

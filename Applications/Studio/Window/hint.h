@@ -37,8 +37,6 @@ class Hint
 public:
   Hint();
   ~Hint();
-  Hint(const Hint&) = delete;
-  Hint& operator=(const Hint&) = delete;
 
   void addTo(vtkRenderer* renderer);
   // Empty hides it.

@@ -30,7 +30,6 @@ namespace oversketch_studio
 namespace
 {
 
-using oversketch::Polyline;
 using oversketch::Vector2;
 using oversketch::Vector3;
 

@@ -40,7 +40,6 @@ namespace oversketch_studio
 {
 
 using namespace oversketch_session;
-using oversketch_files::Failed;
 
 namespace
 {
