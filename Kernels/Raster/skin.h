@@ -41,6 +41,17 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
   const std::vector<PictureTriangle>& covered,
   const Context& context);
 
+// The skin whose inside is filled from its rim, for a back that nobody drew: what lies deeper below the
+// border than a fortieth of the longest side of what is covered has colours that go on from there, evener the
+// deeper it is. Thinner parts, and what is not covered, are as in skinOf.
+//
+// Source: Telea, An image inpainting technique based on the fast marching method, J. Graphics Tools 9 (2004),
+// by OpenCV, on at most 256 px. Fronts that meet far from the rim leave an edge there, and each pixel of the
+// rim a ray, so the inside is blurred in addition, by what is covered alone.
+std::vector<std::uint8_t> rimSkinOf(const PictureSamples& picture,
+  const std::vector<PictureTriangle>& covered,
+  const Context& context);
+
 // The picture without alpha, all of it worn. What was cut away, and the half-transparent pixels along its
 // rim, have the colour of the nearest pixel that is opaque: neither a smooth nor a small picture of the
 // texture shows what is under them. Without an opaque pixel all keep their colours.
