@@ -175,7 +175,7 @@ Filling filledFromRim(const cv::Mat& skin, const cv::Mat1b& covered, double leas
   mask = mask >= 128;
   const cv::Mat1f depths = depthsOf(mask);
   cv::Mat filled;
-  cv::inpaint(rough, depths > rim, filled, radius, cv::INPAINT_TELEA);
+  cv::inpaint(rough, depths > rim, filled, radius, cv::INPAINT_NS);
   const double sigma = std::max(1.0, blurred * longest);
   const cv::Mat inner = rampOf(depths, rim, rim + 2.0 * sigma);
   Filling made;

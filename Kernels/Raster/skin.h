@@ -45,9 +45,10 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
 // border than a fortieth of the longest side of what is covered has colours that go on from there, evener the
 // deeper it is. Thinner parts, and what is not covered, are as in skinOf.
 //
-// Source: Telea, An image inpainting technique based on the fast marching method, J. Graphics Tools 9 (2004),
-// by OpenCV, on at most 256 px. Fronts that meet far from the rim leave an edge there, and each pixel of the
-// rim a ray, so the inside is blurred in addition, by what is covered alone.
+// Source: Bertalmio, Bertozzi, Sapiro, Navier-Stokes, fluid dynamics, and image and video inpainting, CVPR
+// 2001, by OpenCV, on at most 256 px. Its fronts that meet far from the rim leave an edge there, and pixels of
+// the rim rays, so the inside is blurred in addition, by what is covered alone. OpenCV's other method, after
+// Telea, drifts away from an even colour.
 std::vector<std::uint8_t> rimSkinOf(const PictureSamples& picture,
   const std::vector<PictureTriangle>& covered,
   const Context& context);
