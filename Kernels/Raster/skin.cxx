@@ -162,8 +162,8 @@ struct Filling
 // Makes those of rimSkinOf. The skin leads its colours on over `least` px of the rim.
 Filling filledFromRim(const cv::Mat& skin, const cv::Mat1b& covered, double least)
 {
-  constexpr int most = 256, radius = 5;              // px
-  constexpr double rimShare = 0.025, blurred = 0.04; // of the longest side
+  constexpr int most = 256, radius = 5;                // px
+  constexpr double rimShare = 0.025, softening = 0.04; // of the longest side
   const double scale = std::min(1.0, 1.0 * most / std::max(skin.cols, skin.rows));
   const cv::Size size(std::max(1, cvRound(scale * skin.cols)), std::max(1, cvRound(scale * skin.rows)));
   const int longest = std::max(size.width, size.height);
@@ -176,13 +176,17 @@ Filling filledFromRim(const cv::Mat& skin, const cv::Mat1b& covered, double leas
   const cv::Mat1f depths = depthsOf(mask);
   cv::Mat filled;
   cv::inpaint(rough, depths > rim, filled, radius, cv::INPAINT_NS);
-  const double sigma = std::max(1.0, blurred * longest);
-  const cv::Mat inner = rampOf(depths, rim, rim + 2.0 * sigma);
+  const auto soften = [&](double sigma, double from, double to)
+  {
+    const cv::Mat much = rampOf(depths, from, to), blurred = blurredIn(mask, filled, sigma);
+    cv::blendLinear(blurred, filled.clone(), much, 1.0 - much, filled);
+  };
+  soften(0.5 * rim, 0.0, 0.5 * rim);
+  soften(softening * longest, rim, rim + 2.0 * softening * longest);
   Filling made;
   cv::Mat1b share;
-  cv::blendLinear(blurredIn(mask, filled, sigma), filled, inner, 1.0 - inner, rough);
-  rampOf(depths, 0.5 * rim, rim).convertTo(share, CV_8U, 255.0);
-  cv::resize(rough, made.colours, skin.size(), 0.0, 0.0, cv::INTER_LINEAR);
+  rampOf(depths, 0.2 * rim, 0.8 * rim).convertTo(share, CV_8U, 255.0);
+  cv::resize(filled, made.colours, skin.size(), 0.0, 0.0, cv::INTER_LINEAR);
   cv::resize(share, made.share, skin.size(), 0.0, 0.0, cv::INTER_LINEAR);
   return made;
 }

@@ -43,7 +43,8 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
 
 // The skin whose inside is filled from its rim, for a back that nobody drew: what lies deeper below the
 // border than a fortieth of the longest side of what is covered has colours that go on from there, evener the
-// deeper it is. Thinner parts, and what is not covered, are as in skinOf.
+// deeper it is. Thinner parts, and the rim but for its outmost fifth, keep their colours without details,
+// which would be streaks down a steep side. What is not covered is as in skinOf.
 //
 // Source: Bertalmio, Bertozzi, Sapiro, Navier-Stokes, fluid dynamics, and image and video inpainting, CVPR
 // 2001, by OpenCV, on at most 256 px. Its fronts that meet far from the rim leave an edge there, and pixels of
