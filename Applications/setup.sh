@@ -6,7 +6,7 @@ oversketch_root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 oversketch_packages=(
   g++ cmake ninja-build ccache mold
   libvtk9-dev libvtk9-qt-dev qtbase5-dev python3-vtk9 python3-numpy libeigen3-dev libboost-dev libcgal-dev libembree-dev
-  libopencv-core-dev libopencv-imgproc-dev libgdal-dev
+  libopencv-core-dev libopencv-imgproc-dev libopencv-photo-dev libgdal-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
   libarchive-dev libexpat1-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest python3-pip python3-venv python3-matplotlib mypy
   python3-xlib xvfb xauth libgl1-mesa-dri doxygen at-spi2-core dbus-daemon gir1.2-atspi-2.0 python3-gi

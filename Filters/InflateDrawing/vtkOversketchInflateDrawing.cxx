@@ -396,9 +396,14 @@ int vtkOversketchInflateDrawing::RequestData(vtkInformation*,
         }
         return;
       }
-      inner.FeedPicture(vtkImageData::GetData(inputs[1]));
+      vtkImageData *picture = vtkImageData::GetData(inputs[1]), *back = vtkImageData::GetData(inputs[2]);
+      if (this->BackFromRim && back)
+      {
+        Warn(this, "The back wears the picture that was given of it; {BackFromRim} does nothing.");
+      }
+      inner.FeedPicture(picture);
       inner.FeedStrokes(isDrawn ? strokes : nullptr);
-      inner.FeedBack(vtkImageData::GetData(inputs[2]));
+      inner.FeedBack(this->BackFromRim && !back ? picture : back);
       inner.RunCurves();
       const int rebuilds = inner.RunMesh();
       inner.RunSurface();
@@ -529,6 +534,15 @@ void vtkOversketchInflateDrawing::SetArrange(bool arrange)
   }
 }
 
+void vtkOversketchInflateDrawing::SetBackFromRim(bool fromRim)
+{
+  if (fromRim != this->BackFromRim)
+  {
+    this->BackFromRim = fromRim;
+    this->Modified();
+  }
+}
+
 void vtkOversketchInflateDrawing::SetAsPublished(bool published)
 {
   if (published != this->AsPublished)
@@ -554,6 +568,7 @@ void vtkOversketchInflateDrawing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Levels: " << this->Levels << "\n";
   os << indent << "Arrange: " << this->Arrange << "\n";
   os << indent << "AsPublished: " << this->AsPublished << "\n";
+  os << indent << "BackFromRim: " << this->BackFromRim << "\n";
   os << indent << "Rebuilds: " << this->Rebuilds << "\n";
   os << indent << "LevelsMade: " << this->LevelsMade << "\n";
 }

@@ -164,6 +164,18 @@ public:
   vtkBooleanMacro(AsPublished, bool);
   ///@}
 
+  ///@{
+  /**
+   * The back is to wear a picture of its own that is made of Picture: mirrored, its inside filled with the
+   * colours at the rim [default off]. Faces of the back get points of their own, as with a BackPicture. The
+   * command and sessions make that picture; a renderer that shows this output by itself is given one, or the
+   * mirrored picture. A BackPicture goes before it, which a warning says; without a Picture it does nothing.
+   */
+  void SetBackFromRim(bool fromRim);
+  vtkGetMacro(BackFromRim, bool);
+  vtkBooleanMacro(BackFromRim, bool);
+  ///@}
+
   /**
    * How often the last run made the mesh anew, see above; 0 after one that failed.
    */
@@ -196,6 +208,7 @@ private:
   bool Quads = false;
   bool AsPublished = false;
   bool Arrange = false;
+  bool BackFromRim = false;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
   std::string Profile, Holes, Tunnels, Trace;

@@ -4,6 +4,7 @@
 #include "Stroke/with_opencv.h"
 
 #include <opencv2/imgproc.hpp>
+#include <opencv2/photo.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,79 @@ std::vector<std::uint8_t> insideOf(const PictureSamples& picture, std::vector<st
   return inside;
 }
 
+// Depths below a mask's border and the image's [px].
+cv::Mat1f depthsOf(const cv::Mat1b& mask)
+{
+  cv::Mat1b framed;
+  cv::Mat1f depths;
+  cv::copyMakeBorder(mask, framed, 1, 1, 1, 1, cv::BORDER_CONSTANT, cv::Scalar(0));
+  cv::distanceTransform(framed, depths, cv::DIST_L2, cv::DIST_MASK_5);
+  return depths(cv::Rect(1, 1, mask.cols, mask.rows));
+}
+
+// 0 where depths are `from` or less, 1 where they are `to` or more.
+cv::Mat rampOf(const cv::Mat1f& depths, double from, double to)
+{
+  return cv::max(cv::min((depths - from) / (to - from), 1.0), 0.0);
+}
+
+// Blurs colours where the mask is, without those beyond it.
+cv::Mat blurredIn(const cv::Mat1b& mask, const cv::Mat& colours, double sigma)
+{
+  const auto blur = [&](const cv::Mat& image)
+  {
+    cv::Mat made;
+    cv::GaussianBlur(image, made, cv::Size(), sigma, sigma, cv::BORDER_CONSTANT);
+    return made;
+  };
+  cv::Mat weights, values, even;
+  cv::merge(std::vector<cv::Mat>(static_cast<std::size_t>(colours.channels()), mask / 255), weights);
+  weights.convertTo(weights, CV_32F);
+  colours.convertTo(values, CV_32F);
+  cv::divide(blur(values.mul(weights)), cv::max(blur(weights), 1e-3), even);
+  even.convertTo(even, CV_8U);
+  return even;
+}
+
+// Colours that go on from the rim, and how much of a pixel's colour they are.
+struct Filling
+{
+  cv::Mat colours;
+  cv::Mat1b share; // 255: all
+};
+
+// Makes those of rimSkinOf. The skin leads its colours on over `least` px of the rim.
+Filling filledFromRim(const cv::Mat& skin, const cv::Mat1b& covered, double least)
+{
+  constexpr int most = 256, radius = 5;                // px
+  constexpr double rimShare = 0.025, softening = 0.04; // of the longest side
+  const double scale = std::min(1.0, 1.0 * most / std::max(skin.cols, skin.rows));
+  const cv::Size size(std::max(1, cvRound(scale * skin.cols)), std::max(1, cvRound(scale * skin.rows)));
+  const int longest = std::max(size.width, size.height);
+  const double rim = std::max({ 2.0, 1.5 * least * scale, rimShare * longest });
+  cv::Mat rough;
+  cv::Mat1b mask;
+  cv::resize(skin, rough, size, 0.0, 0.0, cv::INTER_AREA);
+  cv::resize(covered, mask, size, 0.0, 0.0, cv::INTER_AREA);
+  mask = mask >= 128;
+  const cv::Mat1f depths = depthsOf(mask);
+  cv::Mat filled;
+  cv::inpaint(rough, depths > rim, filled, radius, cv::INPAINT_NS);
+  const auto soften = [&](double sigma, double from, double to)
+  {
+    const cv::Mat much = rampOf(depths, from, to), blurred = blurredIn(mask, filled, sigma);
+    cv::blendLinear(blurred, filled.clone(), much, 1.0 - much, filled);
+  };
+  soften(0.5 * rim, 0.0, 0.5 * rim);
+  soften(softening * longest, rim, rim + 2.0 * softening * longest);
+  Filling made;
+  cv::Mat1b share;
+  rampOf(depths, 0.2 * rim, 0.8 * rim).convertTo(share, CV_8U, 255.0);
+  cv::resize(filled, made.colours, skin.size(), 0.0, 0.0, cv::INTER_LINEAR);
+  cv::resize(share, made.share, skin.size(), 0.0, 0.0, cv::INTER_LINEAR);
+  return made;
+}
+
 // The picture without alpha, each pixel's colour taken from the one that `from` says.
 template <typename From>
 std::vector<std::uint8_t> colouredFrom(const PictureSamples& picture,
@@ -156,6 +230,39 @@ std::vector<std::uint8_t> skinOf(const PictureSamples& picture,
     return isLed ? static_cast<std::size_t>(nearest[at]) : at;
   };
   return colouredFrom(picture, from, context);
+}
+
+std::vector<std::uint8_t> rimSkinOf(const PictureSamples& picture,
+  const std::vector<PictureTriangle>& covered,
+  const Context& context)
+{
+  std::vector<std::uint8_t> made = skinOf(picture, covered, context);
+  withOpenCV("fill the inside from the rim",
+    [&]
+    {
+      std::vector<std::uint8_t> mask = maskOf(picture, covered);
+      const cv::Mat1b whole(picture.height, picture.width, mask.data());
+      const cv::Rect box = cv::boundingRect(whole);
+      if (box.empty())
+      {
+        return;
+      }
+      cv::Mat skin = cv::Mat(whole.size(), CV_8UC(picture.colours()), made.data())(box);
+      const Filling filling =
+        filledFromRim(skin, whole(box), std::max(1.0, border * std::max(picture.width, picture.height)));
+      context.each(box.height,
+        [&](int y)
+        {
+          const std::uint8_t *share = filling.share.ptr(y), *fill = filling.colours.ptr(y);
+          std::uint8_t* colour = skin.ptr(y);
+          for (int k = 0; k < box.width * skin.channels(); ++k)
+          {
+            const int of = share[k / skin.channels()];
+            colour[k] = static_cast<std::uint8_t>((of * fill[k] + (255 - of) * colour[k] + 127) / 255);
+          }
+        });
+    });
+  return made;
 }
 
 std::vector<std::uint8_t> opaqueOf(const PictureSamples& picture, const Context& context)

@@ -1,9 +1,9 @@
-# The two libraries of OpenCV that the kernels use. Its own configuration file comes with libopencv-dev alone, asks for all of its
-# libraries to be there, and draws in GDAL and a VTK of its own; these two come without.
+# The three libraries of OpenCV that the kernels use. Its own configuration file comes with libopencv-dev alone, asks for all of its
+# libraries to be there, and draws in GDAL and a VTK of its own; these three come without.
 find_path(OpenCV_INCLUDE_DIR opencv2/imgproc.hpp PATH_SUFFIXES opencv4)
 find_path(OpenCV_CONFIG_DIR opencv2/cvconfig.h PATH_SUFFIXES opencv4)
 set(_opencv_variables OpenCV_INCLUDE_DIR)
-foreach (_opencv_component IN ITEMS core imgproc)
+foreach (_opencv_component IN ITEMS core imgproc photo)
   find_library(OpenCV_${_opencv_component}_LIBRARY opencv_${_opencv_component})
   list(APPEND _opencv_variables OpenCV_${_opencv_component}_LIBRARY)
 endforeach ()
@@ -14,7 +14,7 @@ if (OpenCV_FOUND)
   if (OpenCV_CONFIG_DIR)
     list(APPEND _opencv_folders ${OpenCV_CONFIG_DIR})
   endif ()
-  foreach (_opencv_component IN ITEMS core imgproc)
+  foreach (_opencv_component IN ITEMS core imgproc photo)
     if (NOT TARGET opencv_${_opencv_component})
       add_library(opencv_${_opencv_component} UNKNOWN IMPORTED)
       set_target_properties(opencv_${_opencv_component} PROPERTIES

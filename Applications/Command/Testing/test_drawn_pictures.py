@@ -103,3 +103,39 @@ def test_front_and_back_wear_pictures_of_their_own(tmp_path):
     pictures = {path.read_bytes() for path in tmp_path.glob("made*.png")}
     assert pictures == set(worn), "the OBJ's materials"
     assert all(picture in (tmp_path / "made.glb").read_bytes() for picture in worn)
+
+
+def test_the_back_goes_on_from_the_rim(tmp_path):
+    columns, rows = 200, 160
+    y, x = numpy.mgrid[0:rows, 0:columns]
+    eye = (x - 120) ** 2 + (y - 80) ** 2 < 100  # to the right of the middle, so that a mirrored one is elsewhere
+    pixels = numpy.where(eye[..., None], (250, 20, 20), (60, 90, 160)).astype(numpy.uint8)
+    pixels[x > 140] = (60, 160, 90)  # the tail
+    lines = numpy.concatenate([numpy.zeros((rows, 1), numpy.uint8), pixels.reshape(rows, -1)], axis=1)
+    header = struct.pack(">IIBBBBB", columns, rows, 8, RGB, 0, 0, 0)
+    front = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines.tobytes())) + chunk(b"IEND", b"")
+    (tmp_path / "front.png").write_bytes(front)
+    drawing = drawn(columns, rows, tmp_path)
+    call = ["inflate", drawing, "--image", tmp_path / "front.png", "--levels", "2", "--back-from-rim"]
+    for extension in ("vtp", "glb"):
+        done = run(*call, "-o", tmp_path / ("made." + extension))
+        assert done.returncode == 0 and not done.stderr, done.stderr
+    mesh = read(tmp_path / "made.vtp")
+    worn = [vtk_to_numpy(mesh.GetFieldData().GetAbstractArray(f"Part{i}.Texture")).tobytes() for i in range(2)]
+    assert is_skin(worn[0], front) and all(picture in (tmp_path / "made.glb").read_bytes() for picture in worn)
+    parts, sides = (vtk_to_numpy(mesh.GetCellData().GetArray(name)) for name in ("PartId", "Side"))
+    assert ((parts == 1) == (sides == -1)).all() and 0 < parts.sum() < len(parts)
+    reader = vtkPNGReader()
+    reader.SetMemoryBuffer(worn[1])
+    reader.SetMemoryBufferLength(len(worn[1]))
+    reader.Update()
+    back = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(rows, columns, 3).astype(int)  # rows from the bottom
+    assert abs(back[80, 40:160, 0] - 60).max() <= 2, "no eye, neither where it was nor mirrored"
+    assert abs(back[80, 40:48] - (60, 160, 90)).max() < 6 and abs(back[80, 152:160] - (60, 90, 160)).max() < 6, "mirrored"
+    # A picture of the back goes before it; without a picture it does nothing.
+    done = run(*call, "--back-image", tmp_path / "front.png", "-o", tmp_path / "given.vtp")
+    assert done.returncode == 0 and "--back-from-rim does nothing" in done.stderr and done.stderr.count("arning") == 1, done.stderr
+    assert is_skin(vtk_to_numpy(read(tmp_path / "given.vtp").GetFieldData().GetAbstractArray("Part1.Texture")).tobytes(), front)
+    done = run("inflate", drawing, "--back-from-rim", "--levels", "2", "-o", tmp_path / "bare.vtp")
+    assert done.returncode == 0 and "--back-from-rim does nothing without --image" in done.stderr
+    assert read(tmp_path / "bare.vtp").GetCellData().GetArray("PartId") is None

@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
+#include "vtkImageFlip.h"
 #include "vtkJPEGWriter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -45,7 +46,7 @@ std::string jpegOf(const std::vector<std::uint8_t>& samples, int width, int heig
 
 } // namespace
 
-std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes, vtkImageData* image)
+std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes, vtkImageData* image, bool fromRim)
 {
   vtkDataArray* places = mesh->GetPointData()->GetTCoords();
   if (!image || image->GetScalarType() != VTK_UNSIGNED_CHAR || !places)
@@ -73,11 +74,18 @@ std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes, vtkIm
       covered.push_back({ place(0), place(k), place(k + 1) });
     }
   }
+  vtkNew<vtkImageFlip> mirrored; // as the back is seen from behind
+  if (fromRim)
+  {
+    mirrored->SetInputData(image);
+    mirrored->Update();
+    image = mirrored->GetOutput();
+  }
   const PictureSamples picture{ static_cast<const std::uint8_t*>(image->GetScalarPointer()),
     width,
     height,
     image->GetNumberOfScalarComponents() };
-  const std::vector<std::uint8_t> skin = skinOf(picture, covered, ThreadsOnly());
+  const std::vector<std::uint8_t> skin = (fromRim ? rimSkinOf : skinOf)(picture, covered, ThreadsOnly());
   return oversketch_files::pictureFormatOf(bytes) == "jpeg" ? jpegOf(skin, width, height, picture.colours())
                                                             : pngOf(skin, width, height, picture.colours());
 }
@@ -90,18 +98,21 @@ void wearPictures(const Step& step, const SystemRow& row, const DecodedInput& de
     return given == step.inputs.end() ? nullptr : std::get_if<Image>(&given->second);
   };
   const Image *front = imageOf(row.textureInput), *back = imageOf(row.backTextureInput);
+  const Parameter* rim = findParameter(row, row.backFromRim);
+  const bool fromRim = front && !back && rim && std::get<bool>(valueOf(step, *rim));
   const auto put = [&](const Image* image, const std::string& name, int part, const std::string& prefix)
   {
     if (image)
     {
-      oversketch_files::setTexture(
-        mesh, row.skin ? skinFor(mesh, part, *image->bytes, decoded(name)) : *image->bytes, prefix);
+      oversketch_files::setTexture(mesh,
+        row.skin ? skinFor(mesh, part, *image->bytes, decoded(name), fromRim && part == 1) : *image->bytes,
+        prefix);
     }
   };
   if (mesh->GetPointData()->GetTCoords())
   {
-    put(front, row.textureInput, 0, back ? "Part0." : "");
-    put(back, row.backTextureInput, 1, "Part1.");
+    put(front, row.textureInput, 0, back || fromRim ? "Part0." : "");
+    put(fromRim ? front : back, fromRim ? row.textureInput : row.backTextureInput, 1, "Part1.");
   }
 }
 

@@ -15,8 +15,13 @@ namespace oversketch_session
 
 // The bytes of a picture, of which the samples are given, as the faces of a part (cell array PartId; of all
 // without it) are to wear it: opaque, its colours led on past what they cover (Kernels/Raster/skin.h). As
-// JPEG of one, else as PNG. The bytes themselves where there are no samples.
-std::string skinFor(vtkPolyData* mesh, int part, const std::string& bytes, vtkImageData* image);
+// JPEG of one, else as PNG. The bytes themselves where there are no samples. `fromRim`: of the back, its
+// picture mirrored and its inside filled from the rim.
+std::string skinFor(vtkPolyData* mesh,
+  int part,
+  const std::string& bytes,
+  vtkImageData* image,
+  bool fromRim = false);
 
 // The samples of a step's picture, by the input's name.
 using DecodedInput = std::function<vtkImageData*(const std::string& name)>;

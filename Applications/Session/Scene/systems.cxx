@@ -325,6 +325,7 @@ SystemRow inflateDrawing()
     { "BackPicture", "back-image", "a picture of the back, as seen from behind", Kind::Picture, 2, true } };
   row.textureInput = "Picture";
   row.backTextureInput = "BackPicture";
+  row.backFromRim = "BackFromRim";
   row.skin = true;
   row.parameters = {
     between(0,
@@ -384,6 +385,12 @@ SystemRow inflateDrawing()
       "as-published",
       "Paper's method",
       "without the amendments to the published method"),
+    later(actingWith("Picture",
+      parameter<System>(PROPERTY(System, BackFromRim),
+        "back-from-rim",
+        "Back from the rim's colours",
+        "fill the back with the colours that the picture has at the rim; a picture of the back goes "
+        "before"))),
   };
   return row;
 }

@@ -117,6 +117,9 @@ struct SystemRow
   // The inputs whose pictures the mesh and its back wear, by its texture coordinates; empty for none. Where
   // the latter is given both are pictures of parts, 0 and 1.
   std::string textureInput, backTextureInput;
+  // The switch by which the back wears, without a picture of its own, the skin of the first one, its inside
+  // filled from the rim, mirrored; empty for none.
+  std::string backFromRim;
   // Both are worn as skins: opaque, their colours led on past what the mesh covers of them (skin.h).
   bool skin = false;
   // Steps move parts of a mesh above all, so that a proxy will do for a large one (large_mesh.h).

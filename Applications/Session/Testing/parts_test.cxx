@@ -140,6 +140,31 @@ TEST(Parts, ADrawingStandsWhereItsBoxIs)
   }
 }
 
+TEST(Parts, ABackFromTheRimIsAPartAndIsKeptInFiles)
+{
+  Session session = gnome();
+  for (Node& node : session.nodes)
+  {
+    node = changed(node, [](Step& step) { step.values["BackFromRim"] = true; });
+  }
+  Evaluator evaluator;
+  const auto outcomes = madeBy(evaluator, session);
+  EXPECT_EQ(partsOf(outcomes[1].mesh), (std::set<int>{ 0, 1, 2, 3 }));
+  const auto pieces = oversketch_files::piecesOf(outcomes[1].mesh);
+  ASSERT_EQ(pieces.size(), 4u);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    const auto& image = std::get<Image>(session.nodes[i].step->inputs.at("Picture"));
+    const auto picture = oversketch_files::pictureOf(*image.bytes);
+    EXPECT_TRUE(
+      pieces[2 * i].picture == skinFor(outcomes[1].mesh, static_cast<int>(2 * i), *image.bytes, picture));
+    EXPECT_TRUE(pieces[2 * i + 1].picture ==
+                skinFor(outcomes[1].mesh, static_cast<int>(2 * i + 1), *image.bytes, picture, true));
+  }
+  const SessionFile back = decode(Encoder().encode({ session, {}, "" }), "file");
+  EXPECT_EQ(bitsOf(back.session), digestOf(outcomes[1].mesh));
+}
+
 TEST(Parts, MovingOneDrawsNothingAnewAndGivesTheSameBits)
 {
   Evaluator evaluator;
