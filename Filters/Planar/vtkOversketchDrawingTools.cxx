@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <charconv>
 #include <utility>
 
 namespace oversketch
@@ -91,6 +92,32 @@ std::vector<Treatment> TreatmentsOf(vtkPolyData* curves)
     }
   }
   return treatments;
+}
+
+std::vector<int> StrokeNumbers(std::string list, const char* parameter, int strokes)
+{
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::vector<int> numbers;
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  while (at = std::find_if(at, end, [](char c) { return c != ' '; }), at != end)
+  {
+    int number = 0;
+    const std::from_chars_result read = std::from_chars(at, end, number);
+    if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ' '))
+    {
+      throw Error(
+        Failure::BadStroke, "{%1} is \"%2\"; give numbers of strokes, such as \"1 4\".", parameter, list);
+    }
+    if (number < 0 || number >= strokes)
+    {
+      const Message who("{%1} names {stroke %2}", parameter, number);
+      throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, strokes);
+    }
+    numbers.push_back(number);
+    at = read.ptr;
+  }
+  return numbers;
 }
 
 std::vector<DrawnStroke> StrokesOf(vtkPolyData* curves)

@@ -63,6 +63,14 @@ OVERSKETCHFILTERSPLANAR_EXPORT Frame RasterOf(vtkPolyData* curves);
 OVERSKETCHFILTERSPLANAR_EXPORT std::vector<Treatment> TreatmentsOf(vtkPolyData* curves);
 
 /**
+ * The numbers of a list of strokes, apart by spaces or commas, of so many. Throws Error(BadStroke) naming the
+ * parameter for a text that is no such list, and for a number that no stroke has.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT std::vector<int> StrokeNumbers(std::string list,
+  const char* parameter,
+  int strokes);
+
+/**
  * Reads what the strokes are from the cell arrays that vtkOversketchClassify writes: roles, regions, objects.
  * Why a stroke was rejected, contacts, areas and their labels are not in them. Throws Error(MissingArray) for
  * an absent array, Error(BadStroke) naming the stroke where they contradict each other.

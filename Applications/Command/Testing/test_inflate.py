@@ -54,7 +54,7 @@ def test_a_picture_becomes_a_textured_model(tmp_path):
     steps = report["stage_milliseconds"]
     ran = {"Canvas", "MagneticSnap", "Resample", "Classify", "Treatment", "Distance", "Polyline", "Darts", "CoarseMesh", "Refine", "Inflate",
            "Tunnel", "ProjectTexture"}
-    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Trace", "Arrange", "QuadMerge", "Extrude"}
+    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Trace", "Arrange", "QuadMerge", "Extrude", "Layers"}
     assert sum(steps.values()) <= report["milliseconds"]["run"]
     assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
     assert done.stdout == ""
