@@ -1,7 +1,6 @@
 #include "vtkOversketchLayerTools.h"
 
 #include "Ray/surface_rays.h"
-#include "Stroke/enclosed.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchCanvasTools.h"
 #include "vtkOversketchDrawingTools.h"
@@ -116,11 +115,10 @@ std::vector<DrawingLayer> LayersOf(vtkPolyData* drawing, vtkImageData* picture, 
       named[stroke] = parameter;
     }
   }
-  const auto isOwn = [&](std::size_t i) { return heights[i] > 0.0 || sections[i] > 0.0; };
   bool any = false;
   for (std::size_t i = 0; i < count; ++i)
   {
-    any = any || depths[i] > 0.0 || isOwn(i);
+    any = any || depths[i] > 0.0 || heights[i] > 0.0 || sections[i] > 0.0;
   }
   if (!any)
   {
@@ -131,15 +129,6 @@ std::vector<DrawingLayer> LayersOf(vtkPolyData* drawing, vtkImageData* picture, 
   canvas->SetInputData(1, picture);
   StepRunner(canvas, {}).Run();
   const std::vector<DrawnLine> lines = ReadStrokes(canvas->GetOutput(), 1);
-  const auto isIn = [&](std::size_t inner, std::size_t outer)
-  {
-    const std::vector<char> in =
-      enclosedBy(lines[outer].Samples, lines[inner].Samples, ThreadsOnly()); // on the line is in it
-    return inner != outer && lines[outer].Closed &&
-           std::all_of(in.begin(), in.end(), [](char one) { return one != 0; });
-  };
-  // The line that bounds the layer that a stroke is of; -1: the plane.
-  std::vector<int> of(count, -1);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (named[i] && !lines[i].Closed)
@@ -149,26 +138,9 @@ std::vector<DrawingLayer> LayersOf(vtkPolyData* drawing, vtkImageData* picture, 
         named[i],
         i);
     }
-    for (std::size_t j = 0; j < i; ++j)
-    {
-      of[i] = of[j] == static_cast<int>(j) && isIn(i, j) ? of[j] : of[i];
-    }
-    of[i] = depths[i] > 0.0 && lines[i].Closed ? static_cast<int>(i) : of[i];
   }
-  // Outlines in the plane that are made in another way than the rest of it, and what lies in them.
-  const std::vector<int> over = of;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    bool is = over[i] < 0 && lines[i].Closed && isOwn(i);
-    for (std::size_t j = 0; is && j < count; ++j)
-    {
-      is = over[j] >= 0 || !isIn(i, j);
-    }
-    for (std::size_t j = 0; is && j < count; ++j)
-    {
-      of[j] = over[j] < 0 && (j == i || isIn(j, i)) ? static_cast<int>(i) : of[j];
-    }
-  }
+  canvas->GetOutput()->GetCellData()->AddArray(ArrayOf<vtkDoubleArray>("Depth", depths));
+  const std::vector<int> of = LayersOfStrokes(canvas->GetOutput());
   std::vector<DrawingLayer> layers(1);
   for (std::size_t i = 0; i < count; ++i)
   {

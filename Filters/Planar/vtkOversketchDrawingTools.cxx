@@ -1,5 +1,7 @@
 #include "vtkOversketchDrawingTools.h"
 
+#include "Stroke/enclosed.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -118,6 +120,50 @@ std::vector<int> StrokeNumbers(std::string list, const char* parameter, int stro
     at = read.ptr;
   }
   return numbers;
+}
+
+std::vector<int> LayersOfStrokes(vtkPolyData* curves)
+{
+  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
+  const std::size_t count = lines.size();
+  const auto says = [&](const char* name, std::size_t i)
+  {
+    vtkDataArray* array = curves->GetCellData()->GetArray(name);
+    return array && array->GetComponent(static_cast<vtkIdType>(i), 0) > 0.0;
+  };
+  const auto isIn = [&](std::size_t inner, std::size_t outer)
+  {
+    if (inner == outer || !lines[outer].Closed)
+    {
+      return false;
+    }
+    const std::vector<char> in = enclosedBy(lines[outer].Samples, lines[inner].Samples, ThreadsOnly());
+    return std::find(in.begin(), in.end(), 0) == in.end(); // on the line is in it
+  };
+  std::vector<int> layers(count, -1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      layers[i] = layers[j] == static_cast<int>(j) && isIn(i, j) ? layers[j] : layers[i];
+    }
+    layers[i] = says("Depth", i) && lines[i].Closed ? static_cast<int>(i) : layers[i];
+  }
+  // Outlines in the plane that are made in another way than the rest of it, and what lies in them.
+  const std::vector<int> over = layers;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    bool is = over[i] < 0 && lines[i].Closed && (says("Height", i) || says("CrossSection", i));
+    for (std::size_t j = 0; is && j < count; ++j)
+    {
+      is = over[j] >= 0 || !isIn(i, j);
+    }
+    for (std::size_t j = 0; is && j < count; ++j)
+    {
+      layers[j] = over[j] < 0 && (j == i || isIn(j, i)) ? static_cast<int>(i) : layers[j];
+    }
+  }
+  return layers;
 }
 
 std::vector<DrawnStroke> StrokesOf(vtkPolyData* curves)
