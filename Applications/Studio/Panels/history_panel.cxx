@@ -505,10 +505,10 @@ void HistoryPanel::showStep()
   this->Less->setEnabled(other && findParameter(*other, "Reach"));
   this->More->setEnabled(this->Less->isEnabled());
   const std::vector<DrawnStroke> lines = isLine ? strokesOf(*step) : std::vector<DrawnStroke>();
-  const std::size_t places = isLine ? lines.size() : this->OpenDocument->session().nodes.size();
+  const std::size_t places = isLine ? lines.size() : step ? this->OpenDocument->session().nodes.size() : 0;
   const int place = isLine ? this->currentLine() : row;
   this->Up->setEnabled(place > 0);
-  this->Down->setEnabled(step && indexOf(place) + 1 < places);
+  this->Down->setEnabled(indexOf(place) + 1 < places);
   this->Rename->setEnabled(step && !isLine);
   this->Toggle->setEnabled(step);
   this->Again->setEnabled(step && !isLine && (row > 0 || this->OpenDocument->session().mesh));
