@@ -115,8 +115,6 @@ TEST(LayeredDrawing, ALayerLiesOnWhatIsSeenUnderIt)
   const auto front = bodyOf(mesh, 1);
   const double z = middleOf(front), height = meanHeight(boxOf(plain.mesh())[5], 60.0);
   EXPECT_NEAR(z, height, 0.01 * height) << "the mean height of a ball under a disc";
-  fact("LayeredDrawing",
-    "a disc of 60 on a ball of 200: " + std::to_string(z) + " of " + std::to_string(height));
   // Moved along z and nothing else.
   vtkPolyData* single = alone.mesh();
   ASSERT_EQ(cornersOf(front), cornersOf(single));
