@@ -515,7 +515,7 @@ void HistoryPanel::showStep()
   this->ShowTo->setEnabled(step);
   this->ShowAll->setEnabled(this->OpenDocument->isOpen() && indexOf(this->OpenDocument->shownTo()) <
                                                               this->OpenDocument->session().nodes.size());
-  const Step ofLine = isLine ? lineStep(lines[indexOf(place)].line, *step) : Step();
+  const Step ofLine = isLine ? lineStep(lines[indexOf(place)].line) : Step();
   this->Form->show(isLine ? &ofLine : step);
   this->FormId = this->idOf(row);
   this->FormLine = this->currentLine();
@@ -539,11 +539,10 @@ void HistoryPanel::setParameters(int id, int line, const Values& values, int mir
     this->OpenDocument->setParameters(node, values, this->OpenDocument->mirrorPlane(mirror));
     return;
   }
-  const Step& drawing = *this->OpenDocument->nodeAt(node)->step;
-  std::vector<DrawnStroke> lines = strokesOf(drawing);
+  std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(node)->step);
   if (indexOf(line) < lines.size())
   {
-    lines[indexOf(line)].line = withLineValues(lines[indexOf(line)].line, values, drawing);
+    lines[indexOf(line)].line = withLineValues(lines[indexOf(line)].line, values);
     this->OpenDocument->setStrokes(node, lines);
   }
 }

@@ -23,16 +23,11 @@ Parameter choiceOf(const char* property, const char* title, const char* help, st
   return parameter;
 }
 
-// The drawing's own height.
-double heightOfAll(const Step& drawing)
-{
-  return std::get<double>(valueOf(drawing, *findParameter(*findSystem(drawingSystem), "Height")));
-}
-
 SystemRow madeLineRow()
 {
-  Parameter height = choiceOf("Height", "Height", "factor of the heights of what the line bounds", {});
-  height.least = 0.05; // 0 is the drawing's
+  Parameter height =
+    choiceOf("Height", "Height", "factor of the drawing's heights, for what the line bounds", {});
+  height.least = 0.05; // 0 says none
   height.most = 5.0;
   height.initial = 1.0;
   SystemRow row;
@@ -60,23 +55,23 @@ const SystemRow& lineRow()
   return row;
 }
 
-Step lineStep(vtkPolyData* line, const Step& drawing)
+Step lineStep(vtkPolyData* line)
 {
   Step step;
   step.system = lineRow().name;
   const double height = heightOf(line);
   step.values = { { "Depth", depthOf(line) },
-    { "Height", height > 0.0 ? height : heightOfAll(drawing) },
+    { "Height", height > 0.0 ? height : 1.0 },
     { "CrossSection", crossSectionOf(line) } };
   return step;
 }
 
-vtkSmartPointer<vtkPolyData> withLineValues(vtkPolyData* line, const Values& values, const Step& drawing)
+vtkSmartPointer<vtkPolyData> withLineValues(vtkPolyData* line, const Values& values)
 {
   const double height = std::get<double>(values.at("Height"));
   return withDepth(line,
     std::get<int>(values.at("Depth")),
-    height == heightOfAll(drawing) ? 0.0 : height,
+    height == 1.0 ? 0.0 : height,
     std::get<int>(values.at("CrossSection")));
 }
 

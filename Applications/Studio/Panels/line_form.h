@@ -14,13 +14,11 @@ namespace oversketch_studio
 // Depth, height, cross-section.
 const oversketch_session::SystemRow& lineRow();
 
-// What a line of a drawing says; the drawing's height where it says none.
-oversketch_session::Step lineStep(vtkPolyData* line, const oversketch_session::Step& drawing);
+// What a line says.
+oversketch_session::Step lineStep(vtkPolyData* line);
 
-// A copy of a line that says the values of such a step; no height where it is the drawing's.
-vtkSmartPointer<vtkPolyData> withLineValues(vtkPolyData* line,
-  const oversketch_session::Values& values,
-  const oversketch_session::Step& drawing);
+// A copy of a line that says the values of such a step.
+vtkSmartPointer<vtkPolyData> withLineValues(vtkPolyData* line, const oversketch_session::Values& values);
 
 } // namespace oversketch_studio
 #endif

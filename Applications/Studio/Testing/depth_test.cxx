@@ -265,7 +265,7 @@ TEST(Depth, TheFormOfALineSetsDepthHeightAndCrossSection)
   const std::string flat = sheet.document->digest();
   sheet.choose("Depth", Qt::Key_Down, 1);
   EXPECT_EQ(depthOf(sheet.strokes()[1].line), 1);
-  EXPECT_EQ(heightOf(sheet.strokes()[1].line), 0.0) << "it is the drawing's";
+  EXPECT_EQ(heightOf(sheet.strokes()[1].line), 0.0) << "it says none";
   const auto one = bodiesOf(sheet.mesh());
   ASSERT_EQ(one.size(), 2u);
   const std::string front = sheet.document->digest();
@@ -292,7 +292,7 @@ TEST(Depth, TheFormOfALineSetsDepthHeightAndCrossSection)
     EXPECT_TRUE(earlier.empty() || sheet.document->digest() == earlier);
   }
   EXPECT_EQ(sheet.field<QComboBox>("Depth")->currentIndex(), 0) << "the form shows what was";
-  // The drawing's row has the drawing's form, whose height lines follow that say none.
+  // The drawing's row has the drawing's form.
   sheet.list->setCurrentRow(0);
   EXPECT_FALSE(sheet.field<QComboBox>("Depth"));
   EXPECT_TRUE(sheet.field<QSlider>("Height"));
