@@ -21,7 +21,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
 namespace oversketch
@@ -29,37 +28,6 @@ namespace oversketch
 
 namespace
 {
-
-bool SameValues(vtkDataArray* a, vtkDataArray* b)
-{
-  return a && b && a->GetDataType() == b->GetDataType() &&
-         a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
-         a->GetNumberOfTuples() == b->GetNumberOfTuples() &&
-         std::memcmp(a->GetVoidPointer(0),
-           b->GetVoidPointer(0),
-           static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
-}
-
-// Points, ids and the numbers of points and cells.
-bool SameLine(vtkPolyData* a, vtkPolyData* b)
-{
-  const auto sameArrays = [](vtkFieldData* one, vtkFieldData* other)
-  {
-    bool same = one->GetNumberOfArrays() == other->GetNumberOfArrays();
-    for (int i = 0; same && i < one->GetNumberOfArrays(); ++i)
-    {
-      const char* name = one->GetArrayName(i);
-      same = name && SameValues(one->GetArray(i), other->GetArray(name));
-    }
-    return same;
-  };
-  vtkNew<vtkIdList> ids, others;
-  a->GetLines()->GetCellAtId(0, ids);
-  b->GetLines()->GetCellAtId(0, others);
-  return std::equal(ids->begin(), ids->end(), others->begin(), others->end()) &&
-         SameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
-         sameArrays(a->GetPointData(), b->GetPointData()) && sameArrays(a->GetCellData(), b->GetCellData());
-}
 
 // Adds the arrays that tell InsertCurve that polylines are runs of one curve.
 void AddRunArrays(vtkIdType runs, bool closed, vtkPolyData* laid)
@@ -111,7 +79,7 @@ void DrawnLines::Read(vtkPolyData* input, const std::string& holder)
     }
     vtkSmartPointer<vtkPolyData> line = StrokeAlone(input, i);
     const std::size_t k = lines.size();
-    lines.push_back(k < this->Lines.size() && SameLine(line, this->Lines[k]) ? this->Lines[k] : line);
+    lines.push_back(k < this->Lines.size() && SameLines(line, this->Lines[k]) ? this->Lines[k] : line);
   }
   if (lines.size() > 1 && IsCurveOfEdit(input))
   {

@@ -6,12 +6,30 @@
  * planar mesh is made whose edges lie on them, and it is inflated to both sides or extruded, with holes and
  * tunnels, and wears the picture. The whole is this one filter over those of the steps, in their order:
  * Trace, Canvas, MagneticSnap, Resample, Arrange, Classify, Treatment, Distance, Polyline, Darts, CoarseMesh,
- * QuadMerge, Refine, Inflate or Extrude, Tunnel, ProjectTexture (GetStage, GetStep, GetInnerOutput). Each
- * departs from the paper as its header says; AsPublished turns the departures off.
+ * QuadMerge, Refine, Inflate or Extrude, Tunnel, ProjectTexture, and of layers Layers (GetStage, GetStep,
+ * GetInnerOutput). Each departs from the paper as its header says; AsPublished turns the departures off.
  *
  * Refinement that would turn triangles over, or miss small tips, hands parts of strokes back to be followed
  * more closely
  * ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it hands back none.
+ *
+ * Layers are ours: closed strokes may bound bodies of their own, in front or behind. Each is a drawing by
+ * itself, made by the same steps and kept by itself, so that one that changes runs alone. Cell arrays of
+ * strokes, which may be absent:
+ * - Depth, int: 0 in the plane (default), 1 in front, 2 behind, 3 both sides, the body twice; not read of
+ * open strokes,
+ * - Height, double: factor of the body's heights, extruded ones too, beside the drawing's [0, the default:
+ * 1],
+ * - CrossSection, int: 0 the drawing's (default), 1 circle, 2 linear, 3 step; what is not 0 goes before
+ * Poisson.
+ *
+ * A closed stroke of another Depth than 0 bounds a layer. Of Depth 0 one with Height or CrossSection does
+ * that lies in no other of the plane; its layer lies in the plane. Another stroke is of the last layer before
+ * it that it lies wholly in, else of one in the plane that it lies in, else of the plane. A layer in front is
+ * moved along z so that its middle plane lies at the mean height, over its area, of what is seen from the
+ * front of bodies before it; strokes' order is that of layers, those in the plane come first. One behind
+ * likewise from behind. The first body stays in the plane, and one that lies over nothing, which a warning
+ * says.
  *
  * Input 0 (Strokes, optional): stroke polydata: polylines in display coordinates, each with its view, drawn
  * over the plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
@@ -23,9 +41,11 @@
  * the back are to wear: see vtkOversketchProjectTexture, which gives them points of their own then.
  *
  * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
- * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. The picture itself is not in
- * it: give a renderer the picture as a texture; the command and sessions put what it wears of it beside the
- * mesh.
+ * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. Where there are layers it is
+ * all bodies, and has cell array LayerId, int: 0 of the plane, else the layer's number, from 1 in the order
+ * of the strokes; StrokeId is the stroke's number, RegionId and ObjectId count in each layer. The picture
+ * itself is not in it: give a renderer the picture as a texture; the command and sessions put what it wears
+ * of it beside the mesh.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): those of the steps, as theirs; BadStroke where
  * there are neither strokes nor Trace, for a Trace that is no list of places or has no picture, where no
@@ -109,6 +129,19 @@ public:
 
   ///@{
   /**
+   * Numbers of closed strokes, written alike, that bound a body of their own in front of what was drawn
+   * before them, behind it, or on both sides of it. They go before a stroke's own Depth.
+   */
+  void SetInFront(const char* strokes);
+  const char* GetInFront() const { return this->InFront.c_str(); }
+  void SetBehind(const char* strokes);
+  const char* GetBehind() const { return this->Behind.c_str(); }
+  void SetBothSides(const char* strokes);
+  const char* GetBothSides() const { return this->BothSides.c_str(); }
+  ///@}
+
+  ///@{
+  /**
    * Places of the picture at which vtkOversketchTrace finds outlines: "auto", which is its largest thing, or
    * "x y" in px from its lower left corner, y up; several apart by commas, semicolons or spaces [default
    * none]. The outlines come before the strokes, and are numbered so.
@@ -177,17 +210,25 @@ public:
   ///@}
 
   /**
-   * How often the last run made the mesh anew, see above; 0 after one that failed.
+   * The system that makes a layer, by its number in LayerId, for outputs and counters of its steps; null for
+   * 0 and where there is none. It is set up in each run: set nothing there.
+   */
+  vtkOversketchInflateDrawing* GetLayer(int layer);
+
+  /**
+   * How often the last run made meshes anew, see above; 0 after one that failed.
    */
   vtkGetMacro(Rebuilds, int);
 
   /**
-   * How often the last run refined the coarse mesh; 0 after one that failed.
+   * How often the last run refined the coarse mesh, of layers the most often refined; 0 after one that
+   * failed.
    */
   vtkGetMacro(LevelsMade, int);
 
   /**
-   * Classes that strokes were taken for, strokes, as words; and the two above, rebuilds and levels.
+   * Classes that strokes were taken for, strokes, as words, those of layers after the plane's; and the two
+   * above, rebuilds and levels.
    */
   FigureList Figures() override;
 
@@ -196,6 +237,7 @@ protected:
   ~vtkOversketchInflateDrawing() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  oversketch::Message Said(const oversketch::Message& message) override;
 
 private:
   vtkOversketchInflateDrawing(const vtkOversketchInflateDrawing&) = delete;
@@ -211,7 +253,7 @@ private:
   bool BackFromRim = false;
   int Levels = 3;
   int Rebuilds = 0, LevelsMade = 0;
-  std::string Profile, Holes, Tunnels, Trace;
+  std::string Profile, Holes, Tunnels, InFront, Behind, BothSides, Trace;
 
   struct Pipeline;
   std::unique_ptr<Pipeline> Inner;

@@ -60,6 +60,9 @@ vtkSmartPointer<vtkPolyData> JoinedDrawings(vtkPolyData* first, vtkPolyData* sec
     for (const auto& [name, otherwise] : { std::pair("Magnetic", 0.0),
            std::pair("SnapRadius", 10.0),
            std::pair("Treatment", 0.0),
+           std::pair("Depth", 0.0),
+           std::pair("Height", 0.0),
+           std::pair("CrossSection", 0.0),
            std::pair("Closed", -1.0) })
     {
       if (other->GetCellData()->HasArray(name) && !one->GetCellData()->HasArray(name))

@@ -1,5 +1,7 @@
 #include "vtkOversketchDrawingTools.h"
 
+#include "Stroke/enclosed.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -18,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 #include <utility>
 
@@ -92,6 +95,76 @@ std::vector<Treatment> TreatmentsOf(vtkPolyData* curves)
     }
   }
   return treatments;
+}
+
+std::vector<int> StrokeNumbers(std::string list, const char* parameter, int strokes)
+{
+  std::replace(list.begin(), list.end(), ',', ' ');
+  std::vector<int> numbers;
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  while (at = std::find_if(at, end, [](char c) { return c != ' '; }), at != end)
+  {
+    int number = 0;
+    const std::from_chars_result read = std::from_chars(at, end, number);
+    if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ' '))
+    {
+      throw Error(
+        Failure::BadStroke, "{%1} is \"%2\"; give numbers of strokes, such as \"1 4\".", parameter, list);
+    }
+    if (number < 0 || number >= strokes)
+    {
+      const Message who("{%1} names {stroke %2}", parameter, number);
+      throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, strokes);
+    }
+    numbers.push_back(number);
+    at = read.ptr;
+  }
+  return numbers;
+}
+
+std::vector<int> LayersOfStrokes(vtkPolyData* curves)
+{
+  const std::vector<DrawnLine> lines = ReadStrokes(curves, 1);
+  const std::size_t count = lines.size();
+  const auto says = [&](const char* name, std::size_t i)
+  {
+    vtkDataArray* array = curves->GetCellData()->GetArray(name);
+    return array && array->GetComponent(static_cast<vtkIdType>(i), 0) > 0.0;
+  };
+  const auto isIn = [&](std::size_t inner, std::size_t outer)
+  {
+    if (inner == outer || !lines[outer].Closed)
+    {
+      return false;
+    }
+    const std::vector<char> in = enclosedBy(lines[outer].Samples, lines[inner].Samples, ThreadsOnly());
+    return std::find(in.begin(), in.end(), 0) == in.end(); // on the line is in it
+  };
+  std::vector<int> layers(count, -1);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      layers[i] = layers[j] == static_cast<int>(j) && isIn(i, j) ? layers[j] : layers[i];
+    }
+    layers[i] = says("Depth", i) && lines[i].Closed ? static_cast<int>(i) : layers[i];
+  }
+  // Outlines in the plane that are made in another way than the rest of it, and what lies in them.
+  const std::vector<int> over = layers;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    bool is = over[i] < 0 && lines[i].Closed && (says("Height", i) || says("CrossSection", i));
+    for (std::size_t j = 0; is && j < count; ++j)
+    {
+      is = over[j] >= 0 || !isIn(i, j);
+    }
+    for (std::size_t j = 0; is && j < count; ++j)
+    {
+      layers[j] = over[j] < 0 && (j == i || isIn(j, i)) ? static_cast<int>(i) : layers[j];
+    }
+  }
+  return layers;
 }
 
 std::vector<DrawnStroke> StrokesOf(vtkPolyData* curves)

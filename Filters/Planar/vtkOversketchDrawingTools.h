@@ -62,6 +62,23 @@ OVERSKETCHFILTERSPLANAR_EXPORT Frame RasterOf(vtkPolyData* curves);
 OVERSKETCHFILTERSPLANAR_EXPORT std::vector<Treatment> TreatmentsOf(vtkPolyData* curves);
 
 /**
+ * The numbers of a list of strokes, apart by spaces or commas, of so many. Throws Error(BadStroke) naming the
+ * parameter for a text that is no such list, and for a number that no stroke has.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT std::vector<int> StrokeNumbers(std::string list,
+  const char* parameter,
+  int strokes);
+
+/**
+ * The layer that each stroke of a drawing is of, by the number of the closed one that bounds it; -1: the rest
+ * of the plane. `curves`: of vtkOversketchCanvas, with the strokes' cell arrays Depth, Height and
+ * CrossSection, absent ones 0. One with a Depth bounds a layer, and so does one in the plane, in no other
+ * layer, with a Height or a CrossSection. Another is of the last layer before it that it lies wholly inside
+ * of.
+ */
+OVERSKETCHFILTERSPLANAR_EXPORT std::vector<int> LayersOfStrokes(vtkPolyData* curves);
+
+/**
  * Reads what the strokes are from the cell arrays that vtkOversketchClassify writes: roles, regions, objects.
  * Why a stroke was rejected, contacts, areas and their labels are not in them. Throws Error(MissingArray) for
  * an absent array, Error(BadStroke) naming the stroke where they contradict each other.

@@ -9,38 +9,10 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <charconv>
 
 using namespace oversketch;
 
 vtkStandardNewMacro(vtkOversketchTreatment);
-
-namespace
-{
-
-// The stroke numbers of a list.
-std::vector<int> numbersOf(std::string text, const char* parameter)
-{
-  std::replace(text.begin(), text.end(), ',', ' ');
-  std::vector<int> numbers;
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (at = std::find_if(at, end, [](char c) { return c != ' '; }), at != end)
-  {
-    int number = 0;
-    const std::from_chars_result read = std::from_chars(at, end, number);
-    if (read.ec != std::errc() || (read.ptr != end && *read.ptr != ' '))
-    {
-      throw Error(
-        Failure::BadStroke, "{%1} is \"%2\"; give numbers of strokes, such as \"1 4\".", parameter, text);
-    }
-    numbers.push_back(number);
-    at = read.ptr;
-  }
-  return numbers;
-}
-
-} // namespace
 
 void vtkOversketchTreatment::SetHoles(const char* text)
 {
@@ -79,13 +51,9 @@ void vtkOversketchTreatment::Execute(vtkInformationVector** inputs, vtkInformati
   };
   const auto treat = [&](const std::string& list, const char* parameter, Treatment treatment)
   {
-    for (const int name : numbersOf(list, parameter))
+    for (const int name : StrokeNumbers(list, parameter, names))
     {
       const Message who("{%1} names {stroke %2}", parameter, name);
-      if (name < 0 || name >= names)
-      {
-        throw Error(Failure::BadStroke, "%1, but there are %2, numbered from 0.", who, names);
-      }
       const int stroke = curveOf(name);
       if (stroke < 0 || classification.strokes[stroke].role != Role::ClosedFeature)
       {

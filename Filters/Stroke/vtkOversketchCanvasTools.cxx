@@ -34,6 +34,27 @@ bool isViewArray(const char* name)
                    [&](const char* each) { return std::strcmp(each, name) == 0; });
 }
 
+bool sameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  return a && b && a->GetDataType() == b->GetDataType() &&
+         a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
+         a->GetNumberOfTuples() == b->GetNumberOfTuples() &&
+         std::memcmp(a->GetVoidPointer(0),
+           b->GetVoidPointer(0),
+           static_cast<std::size_t>(a->GetNumberOfValues() * a->GetDataTypeSize())) == 0;
+}
+
+bool sameArrays(vtkFieldData* a, vtkFieldData* b)
+{
+  bool same = a->GetNumberOfArrays() == b->GetNumberOfArrays();
+  for (int i = 0; same && i < a->GetNumberOfArrays(); ++i)
+  {
+    const char* name = a->GetArrayName(i);
+    same = name && sameValues(a->GetArray(i), b->GetArray(name));
+  }
+  return same;
+}
+
 void passMissing(vtkFieldData* from, vtkFieldData* to)
 {
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
@@ -274,6 +295,22 @@ vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell)
   alone->GetCellData()->CopyData(strokes->GetCellData(), cell, 0);
   alone->GetFieldData()->ShallowCopy(strokes->GetFieldData());
   return alone;
+}
+
+bool SameLines(vtkPolyData* a, vtkPolyData* b)
+{
+  bool same =
+    a->GetNumberOfLines() == b->GetNumberOfLines() && a->GetNumberOfPoints() == b->GetNumberOfPoints() &&
+    (a->GetNumberOfPoints() == 0 || sameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
+  vtkNew<vtkIdList> ids, others;
+  for (vtkIdType i = 0; same && i < a->GetNumberOfLines(); ++i)
+  {
+    a->GetLines()->GetCellAtId(i, ids);
+    b->GetLines()->GetCellAtId(i, others);
+    same = std::equal(ids->begin(), ids->end(), others->begin(), others->end());
+  }
+  return same && sameArrays(a->GetPointData(), b->GetPointData()) &&
+         sameArrays(a->GetCellData(), b->GetCellData()) && sameArrays(a->GetFieldData(), b->GetFieldData());
 }
 
 } // namespace oversketch

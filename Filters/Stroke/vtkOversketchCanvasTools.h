@@ -51,6 +51,11 @@ OVERSKETCHFILTERSSTROKE_EXPORT void WriteView(const View& view, vtkPolyData* str
 OVERSKETCHFILTERSSTROKE_EXPORT vtkSmartPointer<vtkPolyData> StrokeAlone(vtkPolyData* strokes, vtkIdType cell);
 
 /**
+ * Whether two hold the same polylines, to the bit: points, ids and all arrays.
+ */
+OVERSKETCHFILTERSSTROKE_EXPORT bool SameLines(vtkPolyData* a, vtkPolyData* b);
+
+/**
  * Key that tells curves apart: points, polylines, point arrays and the canvas, and the cell arrays that are
  * named.
  */

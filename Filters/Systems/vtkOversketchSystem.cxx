@@ -301,9 +301,10 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
   listener.progress = [&](double share) { this->UpdateProgress(std::min(1.0, this->Done + share * part)); };
   listener.warning = [this](const Message& message)
   {
-    if (this->Warnings.insert(message).second) // several steps may say the same
+    const Message said = this->Said(message);
+    if (this->Warnings.insert(said).second) // several steps may say the same
     {
-      Warn(this, message);
+      Warn(this, said);
     }
   };
   listener.cancelled = [this] { return this->GetAbortExecute() != 0; };
@@ -319,13 +320,13 @@ void vtkOversketchSystem::RunStage(const char* name, const std::function<void()>
     vtkOversketchSystem* System;
   } shown(this, &*stage);
   const auto start = std::chrono::steady_clock::now();
-  if (work)
+  try
   {
-    runner.Run(work);
+    runner.Run(work ? work : [&stage] { stage->Step->Update(); });
   }
-  else
+  catch (const Error& error)
   {
-    runner.Run();
+    throw Error(error.failure(), this->Said(error.message()));
   }
   if (this->Timed)
   {

@@ -171,6 +171,8 @@ protected:
     vtkPolyData* stroke,
     vtkPolyData* hold,
     const std::function<bool()>& body);
+  // Wording of a step's error or warning as the system tells it.
+  virtual oversketch::Message Said(const oversketch::Message& message) { return message; }
   // Says that the run goes through the steps so often; each time then counts for its part of the progress.
   void SetPasses(std::size_t passes) { this->Passes = passes; }
   // Runs a step, or does with it what is given. Throws its first error, or Cancelled.

@@ -97,6 +97,31 @@ std::string Message::text(const Wording& wording) const
   return this->filled(wording.words ? wording.words(this->Text) : this->Text, wording);
 }
 
+Message Message::renumbered(const std::function<int(int stroke)>& number) const
+{
+  Message other = *this;
+  for (Argument& argument : other.Places)
+  {
+    for (Message& message : argument.messages)
+    {
+      message = message.renumbered(number);
+    }
+  }
+  for (const std::string before : { "{stroke %", "{Stroke %" })
+  {
+    for (std::size_t at = 0; (at = this->Text.find(before, at)) != std::string::npos;)
+    {
+      at += before.size();
+      const auto place = static_cast<std::size_t>(this->Text[at] - '1');
+      if (place < this->Places.size() && this->Places[place].isNumber)
+      {
+        other.Places[place].text = std::to_string(number(std::stoi(this->Places[place].text)));
+      }
+    }
+  }
+  return other;
+}
+
 std::vector<std::string> Message::named() const
 {
   std::vector<std::string> all;

@@ -66,6 +66,8 @@ public:
   std::string text(const Wording& wording) const;
   // Whether it is about something in braces, such as "AllowTorn on", or one of its messages is.
   bool names(const std::string& named) const;
+  // The same about other strokes: each number of a stroke, in its messages too, becomes what `number` gives.
+  Message renumbered(const std::function<int(int stroke)>& number) const;
   // All that it or its messages have in braces.
   std::vector<std::string> named() const;
 

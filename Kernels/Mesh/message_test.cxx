@@ -35,6 +35,17 @@ TEST(Message, CallsWhatStandsInBracesAsTheHostDoes)
   EXPECT_FALSE(message.names("AllowTorn off"));
 }
 
+TEST(Message, IsToldOfOtherStrokes)
+{
+  const Message message("%2: {Stroke %1} meets {stroke %3} near %1; %4",
+    1,
+    "{stroke %1}",
+    2,
+    Message::unusable("Stroke", 1, { "%1 px, {curve %1}", 2 }));
+  EXPECT_EQ(message.renumbered([](int stroke) { return 10 * stroke + 1; }).text(),
+    "{stroke %1}: Stroke 11 meets stroke 21 near 11; Stroke 11 cannot be used: 2 px, curve 2");
+}
+
 TEST(Message, HoldsOthersAndEachIsToldInTheHostsWords)
 {
   const Message inner("%1 px off", 1.23456);

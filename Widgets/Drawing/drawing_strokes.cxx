@@ -113,6 +113,17 @@ void DrawingStrokes::add(vtkPolyData* stroke, bool magnetic, double radius)
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(stroke);
   complete(copy, magnetic, radius);
+  for (const char* name : { "Depth", "Height", "CrossSection" })
+  {
+    vtkDataArray* others = this->All.empty() ? nullptr : this->All.front()->GetCellData()->GetArray(name);
+    if (others && !copy->GetCellData()->HasArray(name)) // arrays that one lacks would be dropped
+    {
+      const auto none = vtkSmartPointer<vtkDataArray>::Take(others->NewInstance());
+      none->SetName(name);
+      none->InsertNextTuple1(0.0);
+      copy->GetCellData()->AddArray(none);
+    }
+  }
   this->All.push_back(copy);
 }
 

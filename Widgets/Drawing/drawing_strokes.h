@@ -23,7 +23,8 @@ public:
   void set(vtkPolyData* drawing);
   void putInto(vtkPolyData* drawing) const;
 
-  // One more. radius: half the corridor [px of the picture].
+  // One more, with what the others say of their depth (cell arrays Depth, Height, CrossSection) at 0. radius:
+  // half the corridor [px of the picture].
   void add(vtkPolyData* stroke, bool magnetic, double radius);
   void removeLast();
 

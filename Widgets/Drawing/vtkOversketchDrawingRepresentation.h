@@ -5,8 +5,9 @@
  * The picture lies at z = 0, its outermost samples drawn whole (vtkImageActor::BorderOn); without one there
  * is a white canvas. Under a picture with alpha there are checks, light and dark. Curves lie over it,
  * coloured by what they are: boundaries red, closed features blue, open ones green, rejected ones grey, one
- * that is at fault orange with a ring where it is. A region that is to be a hole is shaded dark, one that is
- * to be a tunnel violet. A line of text stands below.
+ * that is at fault orange with a ring where it is. One that bounds a body in front is purple, behind purple
+ * and dashed, on both sides purple with dark dashes. A region that is to be a hole is shaded dark, one that
+ * is to be a tunnel violet. A line of text stands below.
  *
  * @sa vtkOversketchDrawingWidget
  */
@@ -39,8 +40,8 @@ public:
   ///@}
 
   /**
-   * Curves of vtkOversketchClassify or vtkOversketchTreatment: cell arrays Role and, where there is one,
-   * Treatment. Null: none.
+   * Curves of vtkOversketchClassify or vtkOversketchTreatment: cell arrays Role and, where there are such,
+   * Treatment and Depth. Null: none.
    */
   void SetCurves(vtkPolyData* curves);
 

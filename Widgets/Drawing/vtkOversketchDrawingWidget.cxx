@@ -1,20 +1,19 @@
 #include "vtkOversketchDrawingWidget.h"
 
 #include "drawing_strokes.h"
+#include "layer_judges.h"
 #include "pen_view.h"
 #include "plane_camera.h"
-#include "vtkOversketchArrange.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchCanvasTools.h"
-#include "vtkOversketchClassify.h"
 #include "vtkOversketchDrawingRepresentation.h"
+#include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchMagneticSnap.h"
 #include "vtkOversketchResample.h"
 #include "vtkOversketchStepRunner.h"
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 #include "vtkOversketchTrace.h"
-#include "vtkOversketchTreatment.h"
 #include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
@@ -56,9 +55,7 @@ struct vtkOversketchDrawingWidget::Internals
   vtkNew<vtkOversketchCanvas> canvas;
   vtkNew<vtkOversketchMagneticSnap> snap;
   vtkNew<vtkOversketchResample> resample;
-  vtkNew<vtkOversketchArrange> arrange;
-  vtkNew<vtkOversketchClassify> classify;
-  vtkNew<vtkOversketchTreatment> treatment;
+  LayerJudges judges;
   vtkNew<vtkPolyData> curves;
   Message said;
   std::string text;
@@ -169,9 +166,6 @@ vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
   inner.canvas->SetInputData(0, this->Drawing);
   inner.snap->SetInputConnection(0, inner.canvas->GetOutputPort());
   inner.resample->SetInputConnection(0, inner.snap->GetOutputPort());
-  inner.arrange->SetInputConnection(0, inner.resample->GetOutputPort());
-  inner.classify->SetInputConnection(0, inner.resample->GetOutputPort());
-  inner.treatment->SetInputConnection(0, inner.classify->GetOutputPort());
   vtkProperty2D* corridor = this->GetPen()->GetStrokeRepresentation()->GetSectionProperty();
   corridor->SetColor(0.20, 0.50, 0.95);
   corridor->SetOpacity(0.25);
@@ -252,10 +246,7 @@ void vtkOversketchDrawingWidget::SetArrange(bool arrange)
 {
   if (arrange != this->Arrange)
   {
-    Internals& inner = *this->Inner;
     this->Arrange = arrange;
-    inner.classify->SetInputConnection(
-      0, arrange ? inner.arrange->GetOutputPort() : inner.resample->GetOutputPort());
     this->Classify();
     this->Render();
     this->Modified();
@@ -370,17 +361,15 @@ void vtkOversketchDrawingWidget::Classify()
   {
     try
     {
-      std::vector<vtkPolyDataAlgorithm*> steps{ inner.canvas, inner.snap, inner.resample };
-      if (this->Arrange)
-      {
-        steps.push_back(inner.arrange);
-      }
-      steps.insert(steps.end(), { inner.classify, inner.treatment });
-      for (vtkPolyDataAlgorithm* step : steps)
+      for (vtkPolyDataAlgorithm* step :
+        std::initializer_list<vtkPolyDataAlgorithm*>{ inner.canvas, inner.snap, inner.resample })
       {
         StepRunner(step, listener).Run();
         inner.curves->ShallowCopy(step->GetOutput());
       }
+      const std::vector<Message> judged = inner.judges.judge(
+        inner.resample->GetOutput(), LayersOfStrokes(inner.canvas->GetOutput()), this->Arrange, inner.curves);
+      said.insert(said.end(), judged.begin(), judged.end());
     }
     catch (const Error& error) // curves are those of the step before
     {

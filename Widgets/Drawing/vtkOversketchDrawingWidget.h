@@ -79,8 +79,9 @@ public:
   ///@}
 
   /**
-   * The strokes on the canvas, snapped and classified; where that failed (GetText), as far as it came. Their
-   * cell array StrokeId says which strokes they are.
+   * The strokes on the canvas, snapped and classified, each layer's among themselves (cell array Depth of
+   * strokes); where that failed (GetText), as far as it came. Their cell array StrokeId says which strokes
+   * they are.
    */
   vtkPolyData* GetCurves();
 

@@ -54,7 +54,7 @@ def test_a_picture_becomes_a_textured_model(tmp_path):
     steps = report["stage_milliseconds"]
     ran = {"Canvas", "MagneticSnap", "Resample", "Classify", "Treatment", "Distance", "Polyline", "Darts", "CoarseMesh", "Refine", "Inflate",
            "Tunnel", "ProjectTexture"}
-    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Trace", "Arrange", "QuadMerge", "Extrude"}
+    assert {step for step, time in steps.items() if time > 0} == ran and set(steps) == ran | {"Trace", "Arrange", "QuadMerge", "Extrude", "Layers"}
     assert sum(steps.values()) <= report["milliseconds"]["run"]
     assert {"Distance.vti", "Distance.vtp", "Refine.vtp", "Inflate.vti"} <= {p.name for p in (tmp_path / "steps").iterdir()}
     assert done.stdout == ""
@@ -88,6 +88,25 @@ def test_holes_tunnels_and_slabs(tmp_path):
     assert euler(read(tmp_path / "eye.vtp")) == 0
     inflate("fish", tmp_path / "low.vtp", "--hole", "2", "--height", "0.5", picture=False)
     assert numpy.allclose(points_of(read(tmp_path / "low.vtp"))[:, 2], 0.5 * points_of(read(tmp_path / "eye.vtp"))[:, 2], atol=1e-9)
+
+
+def test_closed_lines_lie_in_front_and_behind(tmp_path):
+    turn, rings = numpy.linspace(0, 2 * numpy.pi, 80), tmp_path / "rings.vtp"
+    append = vtkAppendPolyData()
+    append.SetOutputPointsPrecision(1)
+    for x, r in ((200, 120), (150, 25), (250, 25)):
+        append.AddInputData(stroke(numpy.column_stack([x + r * numpy.cos(turn), 150 + r * numpy.sin(turn)])))
+    append.Update()
+    write(append.GetOutput(), rings)
+    for options, bodies in ((["--in-front", "1", "--behind", "2"], 3), (["--both-sides", "1 2"], 5), (["--in-front", "1", "--in-front", "2"], 3)):
+        done = run("inflate", rings, "-o", tmp_path / "out.vtp", *options, "--report", tmp_path / "report.json")
+        assert done.returncode == 0 and done.stderr == "", done.stderr
+        mesh = read(tmp_path / "out.vtp")
+        assert euler(mesh) == 2 * bodies
+        assert sorted(set(vtk_to_numpy(mesh.GetCellData().GetArray("LayerId")))) == [0, 1, 2]
+        assert json.loads((tmp_path / "report.json").read_text())["strokes"] == ["boundary"] * 3
+    done = run("inflate", rings, "-o", tmp_path / "no.vtp", "--behind", "3")
+    assert done.returncode == 1 and "--behind names stroke 3" in done.stderr, done.stderr
 
 
 def test_what_cannot_be_is_said(tmp_path):

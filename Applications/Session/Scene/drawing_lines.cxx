@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -69,7 +70,12 @@ constexpr struct
 {
   const char* name;
   double otherwise;
-} ofStrokes[] = { { "Magnetic", 0.0 }, { "SnapRadius", 10.0 }, { "Treatment", 0.0 } };
+} ofStrokes[] = { { "Magnetic", 0.0 },
+  { "SnapRadius", 10.0 },
+  { "Treatment", 0.0 },
+  { "Depth", 0.0 },
+  { "Height", 0.0 },
+  { "CrossSection", 0.0 } };
 
 // Strokes that are appended keep the arrays that all have: one that lacks an array gets what it means
 // without.
@@ -144,10 +150,53 @@ vtkSmartPointer<vtkPolyData> strokesThatAreOn(vtkPolyData* drawing)
   return drawingOf(strokes, drawing);
 }
 
+namespace
+{
+
+double saidOf(vtkPolyData* line, const char* name)
+{
+  vtkDataArray* array = line->GetCellData()->GetArray(name);
+  return array && array->GetNumberOfTuples() == 1 ? array->GetComponent(0, 0) : 0.0;
+}
+
+template <typename Array, typename Value>
+void say(vtkPolyData* line, const char* name, Value value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  line->GetCellData()->AddArray(array);
+}
+
+} // namespace
+
 int treatmentOf(vtkPolyData* line)
 {
-  vtkDataArray* array = line->GetCellData()->GetArray("Treatment");
-  return array && array->GetNumberOfTuples() == 1 ? static_cast<int>(array->GetComponent(0, 0)) : 0;
+  return static_cast<int>(saidOf(line, "Treatment"));
+}
+
+int depthOf(vtkPolyData* line)
+{
+  return static_cast<int>(saidOf(line, "Depth"));
+}
+
+double heightOf(vtkPolyData* line)
+{
+  return saidOf(line, "Height");
+}
+
+int crossSectionOf(vtkPolyData* line)
+{
+  return static_cast<int>(saidOf(line, "CrossSection"));
+}
+
+vtkSmartPointer<vtkPolyData> withDepth(vtkPolyData* line, int depth, double height, int crossSection)
+{
+  const vtkSmartPointer<vtkPolyData> next = shallowCopyOf(line);
+  say<vtkIntArray>(next, "Depth", depth);
+  say<vtkDoubleArray>(next, "Height", height);
+  say<vtkIntArray>(next, "CrossSection", crossSection);
+  return next;
 }
 
 std::shared_ptr<const Step> drawingOver(const Image& picture)

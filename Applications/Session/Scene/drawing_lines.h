@@ -36,6 +36,15 @@ vtkSmartPointer<vtkPolyData> strokesThatAreOn(vtkPolyData* drawing);
 // 0 fill, 1 hole, 2 tunnel.
 int treatmentOf(vtkPolyData* line);
 
+// 0 in the plane, 1 in front, 2 behind, 3 both sides.
+int depthOf(vtkPolyData* line);
+// Factor of the heights over what the line bounds; 0 the drawing's.
+double heightOf(vtkPolyData* line);
+// 0 the drawing's cross-section, 1 circle, 2 linear, 3 step.
+int crossSectionOf(vtkPolyData* line);
+// A copy of a line that says so.
+vtkSmartPointer<vtkPolyData> withDepth(vtkPolyData* line, int depth, double height, int crossSection);
+
 // A first step that makes a mesh of what will be drawn: over a picture, the bytes of a PNG or JPEG file; on
 // an empty canvas of that size. Throws oversketch_files::Failed for what is no picture.
 std::shared_ptr<const Step> drawingOver(const Image& picture);

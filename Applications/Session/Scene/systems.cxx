@@ -314,8 +314,8 @@ SystemRow inflateDrawing()
   row.make = make<System>;
   SystemInput strokes{ "Strokes",
     "drawing",
-    "polylines in pixels, each with its view, drawn over the plane z = 0, and whether it is magnetic "
-    "and its inside a hole where it has these arrays; may be absent with --trace",
+    "polylines in pixels, each with its view, drawn over the plane z = 0, and whether it is magnetic, "
+    "its inside a hole, and in front or behind where it has these arrays; may be absent with --trace",
     Kind::Stroke,
     0,
     true };
@@ -354,6 +354,18 @@ SystemRow inflateDrawing()
       "tunnel",
       "Tunnels",
       "numbers of the strokes whose inside is cut out of the finished surface")),
+    later(listing(parameter<System>(PROPERTY(System, InFront),
+      "in-front",
+      "In front",
+      "numbers of the closed strokes that bound bodies in front of what was drawn before them"))),
+    later(listing(parameter<System>(PROPERTY(System, Behind),
+      "behind",
+      "Behind",
+      "numbers of the closed strokes that bound bodies behind it"))),
+    later(listing(parameter<System>(PROPERTY(System, BothSides),
+      "both-sides",
+      "On both sides",
+      "numbers of the closed strokes that bound bodies in front of it and behind"))),
     later(listing(parameter<System>(PROPERTY(System, Trace),
       "trace",
       "Traced",

@@ -369,6 +369,16 @@ TEST(Parts, WhatALineLacksIsWhatItMeansWithout)
   ASSERT_EQ(back.size(), 2u);
   EXPECT_EQ(treatmentOf(back[0].line), 0);
   EXPECT_EQ(treatmentOf(back[1].line), 1) << "a hole is forgotten beside a line that is off";
+  DrawnStroke limb = plain;
+  limb.line = withDepth(plain.line, 3, 0.5, 2);
+  EXPECT_EQ(depthOf(plain.line), 0) << "the line itself stays as it is";
+  const auto layers = strokesOf(drawingOf({ plain, limb }, strokes[0].line));
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(depthOf(layers[0].line), 0);
+  EXPECT_EQ(heightOf(layers[0].line), 0.0);
+  EXPECT_EQ(depthOf(layers[1].line), 3);
+  EXPECT_EQ(heightOf(layers[1].line), 0.5);
+  EXPECT_EQ(crossSectionOf(layers[1].line), 2);
   EXPECT_FALSE(back[0].on);
   EXPECT_EQ(plain.line->GetCellData()->GetArray("Treatment"), nullptr) << "the line itself has changed";
 }

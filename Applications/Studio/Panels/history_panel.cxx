@@ -3,6 +3,7 @@
 #include "document.h"
 #include "drawing_lines.h"
 #include "flow_layout.h"
+#include "line_form.h"
 #include "message_text.h"
 #include "row_delegate.h"
 #include "step_list.h"
@@ -92,11 +93,12 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
     {
       // A row that is left gives out what was typed in the midst of the change of rows: taken when it is
       // over.
-      const int id = this->FormId;
+      const int id = this->FormId, line = this->FormLine;
+      const bool isSelected = this->idOf(this->current()) == id && this->currentLine() == line;
       QMetaObject::invokeMethod(
         this,
-        [=] { this->setParameters(id, values, mirror); },
-        this->idOf(this->current()) == id && !this->Filling ? Qt::DirectConnection : Qt::QueuedConnection);
+        [=] { this->setParameters(id, line, values, mirror); },
+        isSelected && !this->Filling ? Qt::DirectConnection : Qt::QueuedConnection);
     });
   connect(this->Form, &StepPanel::keysLeft, this, &HistoryPanel::keysLeft);
   this->refresh();
@@ -119,6 +121,7 @@ void HistoryPanel::listenToList()
   connect(this->OpenDocument, &Document::opened, this, [this] { this->Pictures.clear(); });
   this->List->setMayMove([this](int from, int to) { return this->mayMove(from, to); });
   connect(this->List, &StepList::moveAsked, this, &HistoryPanel::move);
+  connect(this->List, &StepList::lineMoveAsked, this, &HistoryPanel::moveLine);
   connect(this->List, &StepList::markerAsked, this->OpenDocument, &Document::showTo);
   this->List->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(this->List, &QWidget::customContextMenuRequested, this, &HistoryPanel::showMenu);
@@ -155,6 +158,16 @@ void HistoryPanel::move(int from, int to)
     this->OpenDocument->move(from, to);
     this->select(to, -1);
   }
+}
+
+void HistoryPanel::moveLine(int node, int from, int to)
+{
+  std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(node)->step);
+  const DrawnStroke line = lines[indexOf(from)];
+  lines.erase(lines.begin() + from);
+  lines.insert(lines.begin() + to, line);
+  this->OpenDocument->setStrokes(node, lines);
+  this->select(node, to);
 }
 
 void HistoryPanel::showMenu(const QPoint& at)
@@ -263,7 +276,11 @@ void HistoryPanel::makeActions()
       line < 0 ? emit this->redrawAsked(this->current()) : emit this->lineAsked(this->current(), line);
     });
   connect(this->View, &QAction::triggered, this, [this] { emit this->viewAsked(this->current()); });
-  const auto shift = [this](int by) { this->move(this->current(), this->current() + by); };
+  const auto shift = [this](int by)
+  {
+    const int node = this->current(), line = this->currentLine();
+    line < 0 ? this->move(node, node + by) : this->moveLine(node, line, line + by);
+  };
   connect(this->Up, &QAction::triggered, this, [shift] { shift(-1); });
   connect(this->Down, &QAction::triggered, this, [shift] { shift(1); });
   connect(this->Next,
@@ -421,9 +438,12 @@ void HistoryPanel::addLines(int at)
   const std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(at)->step);
   for (std::size_t i = 0; i < lines.size(); ++i)
   {
-    const int treatment = treatmentOf(lines[i].line);
+    const int treatment = treatmentOf(lines[i].line), depth = depthOf(lines[i].line);
     const QString name = tr("    Line %1").arg(i + 1);
-    auto* item = new QListWidgetItem(treatment == 0   ? name
+    auto* item = new QListWidgetItem(depth == 1       ? tr("%1, in front").arg(name)
+                                     : depth == 2     ? tr("%1, behind").arg(name)
+                                     : depth == 3     ? tr("%1, both sides").arg(name)
+                                     : treatment == 0 ? name
                                      : treatment == 1 ? tr("%1, hole").arg(name)
                                                       : tr("%1, tunnel").arg(name));
     item->setData(nodeRole, at);
@@ -484,16 +504,21 @@ void HistoryPanel::showStep()
   this->Next->setEnabled(other && findParameter(*other, "Candidate"));
   this->Less->setEnabled(other && findParameter(*other, "Reach"));
   this->More->setEnabled(this->Less->isEnabled());
-  this->Up->setEnabled(row > 0 && !isLine);
-  this->Down->setEnabled(step && !isLine && indexOf(row) + 1 < this->OpenDocument->session().nodes.size());
+  const std::vector<DrawnStroke> lines = isLine ? strokesOf(*step) : std::vector<DrawnStroke>();
+  const std::size_t places = isLine ? lines.size() : step ? this->OpenDocument->session().nodes.size() : 0;
+  const int place = isLine ? this->currentLine() : row;
+  this->Up->setEnabled(place > 0);
+  this->Down->setEnabled(indexOf(place) + 1 < places);
   this->Rename->setEnabled(step && !isLine);
   this->Toggle->setEnabled(step);
   this->Again->setEnabled(step && !isLine && (row > 0 || this->OpenDocument->session().mesh));
   this->ShowTo->setEnabled(step);
   this->ShowAll->setEnabled(this->OpenDocument->isOpen() && indexOf(this->OpenDocument->shownTo()) <
                                                               this->OpenDocument->session().nodes.size());
-  this->Form->show(step);
+  const Step ofLine = isLine ? lineStep(lines[indexOf(place)].line) : Step();
+  this->Form->show(isLine ? &ofLine : step);
   this->FormId = this->idOf(row);
+  this->FormLine = this->currentLine();
 }
 
 int HistoryPanel::idOf(int node) const
@@ -502,12 +527,23 @@ int HistoryPanel::idOf(int node) const
   return one ? one->id : -1;
 }
 
-void HistoryPanel::setParameters(int id, const Values& values, int mirror)
+void HistoryPanel::setParameters(int id, int line, const Values& values, int mirror)
 {
   const int node = rowOf(this->OpenDocument->session().nodes, id);
-  if (node >= 0) // else it has been undone or deleted
+  if (node < 0) // it has been undone or deleted
+  {
+    return;
+  }
+  if (line < 0)
   {
     this->OpenDocument->setParameters(node, values, this->OpenDocument->mirrorPlane(mirror));
+    return;
+  }
+  std::vector<DrawnStroke> lines = strokesOf(*this->OpenDocument->nodeAt(node)->step);
+  if (indexOf(line) < lines.size())
+  {
+    lines[indexOf(line)].line = withLineValues(lines[indexOf(line)].line, values);
+    this->OpenDocument->setStrokes(node, lines);
   }
 }
 

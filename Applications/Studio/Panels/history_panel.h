@@ -74,6 +74,7 @@ private:
   // Whether a step may be put at another place; says why not.
   bool mayMove(int from, int to);
   void move(int from, int to);
+  void moveLine(int node, int from, int to);
   void showMenu(const QPoint& at);
   void showPicture(int node);
   void tell(QListWidgetItem* item, int node);
@@ -85,7 +86,8 @@ private:
   void showStep();
   // The id of a step by its place; -1 of none.
   int idOf(int node) const;
-  void setParameters(int id, const oversketch_session::Values& values, int mirror);
+  // Of a step; of a line of it, where that is not -1.
+  void setParameters(int id, int line, const oversketch_session::Values& values, int mirror);
   // The step that keys change: the selected one, else the last; -1 where there is none.
   int changed() const;
   // Gives a parameter of it another value, made of the one that it has.
@@ -97,7 +99,7 @@ private:
   StepList* List;
   QLabel* Empty; // says what will be listed
   StepPanel* Form;
-  int FormId = -1; // of the step that the form shows
+  int FormId = -1, FormLine = -1; // of the step that the form shows; of its line
   QAction *Redraw, *View, *Up, *Down, *Next, *Less, *More, *Remove, *Rename, *Toggle, *Again, *ShowTo,
     *ShowAll;
   bool Filling = false;

@@ -36,6 +36,11 @@ StepList::StepList(QWidget* parent)
 
 void StepList::arrange(int steps, int shown)
 {
+  if (std::exchange(this->Line, -1) >= 0) // may be gone
+  {
+    this->Slot = -1;
+    this->hold(Held::Nothing);
+  }
   this->Steps = steps;
   this->Shown = shown;
   this->First.assign(static_cast<std::size_t>(steps) + 1, this->count());
@@ -90,10 +95,24 @@ QRect StepList::markerRect() const
   return { 0, top, this->viewport()->width(), gap };
 }
 
+int StepList::places() const
+{
+  const auto at = static_cast<std::size_t>(this->Step);
+  return this->Line < 0 ? this->Steps : this->First[at + 1] - this->First[at] - 1;
+}
+
+QRect StepList::placeRect(int place) const
+{
+  return this->Line < 0
+           ? this->rectOf(place)
+           : this->visualItemRect(this->item(this->First[static_cast<std::size_t>(this->Step)] + 1 + place)) &
+               this->rectOf(this->Step);
+}
+
 int StepList::slotAt(int y) const
 {
   int above = 0;
-  while (above < this->Steps && this->rectOf(above).center().y() < y)
+  while (above < this->places() && this->placeRect(above).center().y() < y)
   {
     ++above;
   }
@@ -115,6 +134,7 @@ void StepList::mousePressEvent(QMouseEvent* event)
   if (event->button() == Qt::LeftButton && this->markerRect().contains(event->pos()))
   {
     this->ShownBefore = this->Shown;
+    this->Line = -1;
     this->hold(Held::Marker);
     return;
   }
@@ -124,9 +144,10 @@ void StepList::mousePressEvent(QMouseEvent* event)
   {
     this->setCurrentRow(-1); // a click on the void
   }
-  else if (event->button() == Qt::LeftButton && pressed->data(RowDelegate::LineRole).toInt() < 0)
+  else if (event->button() == Qt::LeftButton)
   {
     this->Step = pressed->data(RowDelegate::NodeRole).toInt();
+    this->Line = pressed->data(RowDelegate::LineRole).toInt();
     this->hold(Held::Pressed);
   }
 }
@@ -149,7 +170,7 @@ void StepList::drag(const QPoint& at)
   const int to = slot > this->Step ? slot - 1 : slot;
   if (std::exchange(this->Slot, slot) != slot)
   {
-    const bool can = to == this->Step || !this->MayMove || this->MayMove(this->Step, to);
+    const bool can = this->Line >= 0 || to == this->Step || !this->MayMove || this->MayMove(this->Step, to);
     this->Slot = can ? slot : -1;
     this->viewport()->setCursor(can ? Qt::ClosedHandCursor : Qt::ForbiddenCursor);
     this->viewport()->update();
@@ -181,15 +202,16 @@ void StepList::mouseMoveEvent(QMouseEvent* event)
 void StepList::mouseReleaseEvent(QMouseEvent* event)
 {
   const Held held = this->Hand;
-  const int to = this->Slot > this->Step ? this->Slot - 1 : this->Slot;
+  const int from = this->Line < 0 ? this->Step : this->Line;
+  const int to = this->Slot > from ? this->Slot - 1 : this->Slot;
   this->hold(Held::Nothing);
   if (held == Held::Nothing || held == Held::Pressed)
   {
     QListWidget::mouseReleaseEvent(event);
   }
-  else if (held == Held::Row && this->Slot >= 0 && to != this->Step)
+  else if (held == Held::Row && this->Slot >= 0 && to != from)
   {
-    emit this->moveAsked(this->Step, to);
+    this->Line < 0 ? emit this->moveAsked(from, to) : emit this->lineMoveAsked(this->Step, from, to);
   }
   this->Slot = -1;
 }

@@ -1,5 +1,5 @@
-// The list of the history: rows are dragged to another place, and so is the marker that says up to which step
-// the model is shown.
+// The list of the history: rows are dragged to another place, those of lines among their drawing's, and so is
+// the marker that says up to which step the model is shown.
 #ifndef oversketch_applications_studio_panels_step_list_h
 #define oversketch_applications_studio_panels_step_list_h
 
@@ -35,6 +35,8 @@ public:
 
 signals:
   void moveAsked(int from, int to);
+  // A line of a step is to be at another place among its lines.
+  void lineMoveAsked(int step, int from, int to);
   void markerAsked(int steps);
 
 protected:
@@ -54,10 +56,13 @@ private:
     Row,
     Marker
   };
-  int slotAt(int y) const; // the number of steps above
+  // Places that what is dragged may have: those of the steps, or of the lines of its step.
+  int places() const;
+  QRect placeRect(int place) const;
+  int slotAt(int y) const; // the number of places above
   int edgeOf(int slot) const
   {
-    return slot < this->Steps ? this->rectOf(slot).top() : this->rectOf(this->Steps - 1).bottom();
+    return slot < this->places() ? this->placeRect(slot).top() : this->placeRect(this->places() - 1).bottom();
   }
   QRect rectOf(int step) const; // of its row and those of its lines
   void hold(Held what);
@@ -69,7 +74,8 @@ private:
   std::vector<int> First; // the row of each step, and the number of rows
   Held Hand = Held::Nothing;
   QPoint Press;
-  int Step = -1, Slot = -1; // dragged; where it would go, -1: nowhere
+  int Step = -1, Line = -1; // dragged; the line of it that is, -1: all of it
+  int Slot = -1;            // where it would go, -1: nowhere
   int ShownBefore = 0;      // when the marker was taken
 };
 

@@ -1,5 +1,6 @@
 #include "step_panel.h"
 
+#include "line_form.h"
 #include "system_strings.h"
 
 #include <QApplication>
@@ -80,6 +81,7 @@ StepPanel::StepPanel(QWidget* parent)
   {
     this->addPage(row);
   }
+  this->addPage(lineRow());
   if (!systems().empty())
   {
     this->turnTo(systems().front().name);

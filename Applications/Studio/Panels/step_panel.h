@@ -1,4 +1,5 @@
-// How the selected step acts: a form for each system, made of its row in the list.
+// How the selected step acts, or the selected line of a drawing: a form for each system, made of its row in
+// the list, and one for lines.
 #ifndef oversketch_applications_studio_panels_step_panel_h
 #define oversketch_applications_studio_panels_step_panel_h
 

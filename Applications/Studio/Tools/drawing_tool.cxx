@@ -59,6 +59,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   , OpenDocument(document)
   , Handles(viewport)
   , Magnetic(new QAction(tr("&Magnetic pen"), this))
+  , Deepen(new QAction(tr("Next &depth"), this))
   , Swap(new QAction(tr("S&wap sides"), this))
 {
   this->setObjectName("drawing");
@@ -67,6 +68,9 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   this->Magnetic->setChecked(true);
   this->Magnetic->setShortcut(QKeySequence(tr("F4")));
   this->Magnetic->setToolTip(tr("New lines move to the picture's edges beside them, when the pen goes up"));
+  this->Deepen->setShortcut(QKeySequence(tr("F5")));
+  this->Deepen->setToolTip(
+    tr("The closed line that was drawn last, or is selected, bounds a body on both sides, in front, behind"));
   this->Swap->setObjectName("swap");
   this->Swap->setIconText(tr("Swap sides (V)"));
   this->Swap->setShortcut(QKeySequence(tr("V")));
@@ -85,6 +89,7 @@ DrawingTool::DrawingTool(Viewport* viewport, const Document* document)
   this->Handles.moved = [this](const PartPlace& place, bool mergesIntoLast)
   { emit this->placed(this->node(), place, mergesIntoLast); };
   this->Handles.givenUp = [this] { emit Tool::givenUp(); };
+  connect(this->Deepen, &QAction::triggered, this, &DrawingTool::deepen);
   connect(this->Swap, &QAction::triggered, this, &Tool::swapAsked);
   connect(document, &Document::opened, this, &DrawingTool::follow);
   connect(document, &Document::changed, this, &DrawingTool::follow);
@@ -111,6 +116,7 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
     { tr("  Left click"), tr("on a shape: trace its outline; in a closed inner line: fill, hole, tunnel") },
     { tr("  Wheel, middle drag"), tr("zoom, pan") },
     { tr("F4"), tr("magnetic pen on or off") },
+    { tr("F5"), tr("a closed line on both sides, in front, behind") },
     { tr("V"), tr("picture and model change sides") },
     { tr("Over the model:"), {} },
     { tr("  Left drag"), tr("turn the model") },
@@ -150,16 +156,56 @@ QString DrawingTool::need() const
   return {};
 }
 
-QString DrawingTool::inLines(const oversketch::Message& message) const
+QVector<int> DrawingTool::linesOn() const
 {
-  QVector<int> lines; // of those that are on
+  QVector<int> lines;
   for (std::size_t i = 0; i < this->Strokes.size(); ++i)
   {
     if (this->Strokes[i].on)
     {
-      lines << static_cast<int>(i) + 1;
+      lines << static_cast<int>(i);
     }
   }
+  return lines;
+}
+
+int DrawingTool::closedLine() const
+{
+  const QVector<int> lines = this->linesOn();
+  const int line = lines.contains(this->Line) ? this->Line : lines.value(lines.size() - 1, -1);
+  vtkCellData* said = this->Pad ? this->Pad->widget()->GetCurves()->GetCellData() : nullptr;
+  vtkDataArray* strokes = said ? said->GetArray("StrokeId") : nullptr;
+  vtkDataArray* closed = said ? said->GetArray("Closed") : nullptr;
+  for (vtkIdType i = 0; strokes && closed && i < strokes->GetNumberOfTuples(); ++i)
+  {
+    if (closed->GetComponent(i, 0) != 0.0 &&
+        lines.value(static_cast<int>(strokes->GetComponent(i, 0)), -1) == line)
+    {
+      return line;
+    }
+  }
+  return -1;
+}
+
+// A limb and its twin come first.
+void DrawingTool::deepen()
+{
+  constexpr int next[] = { 3, 2, 0, 1 };
+  const int at = this->node(), line = this->closedLine();
+  if (at < 0 || line < 0 || this->draws())
+  {
+    return;
+  }
+  std::vector<DrawnStroke> lines = this->Strokes;
+  vtkSmartPointer<vtkPolyData>& own = lines[indexOf(line)].line;
+  own = withDepth(own, next[std::clamp(depthOf(own), 0, 3)], heightOf(own), crossSectionOf(own));
+  const Step& step = *this->OpenDocument->nodeAt(at)->step;
+  emit this->edited(at, withDrawing(step, drawingOf(lines, linesOf(step, strokesInput))));
+}
+
+QString DrawingTool::inLines(const oversketch::Message& message) const
+{
+  const QVector<int> lines = this->linesOn();
   return plainWords(message,
     [&](const std::string& named) -> QString
     {
@@ -168,7 +214,7 @@ QString DrawingTool::inLines(const oversketch::Message& message) const
       {
         return {};
       }
-      const int line = lines.value(std::atoi(named.c_str() + what.size()));
+      const int line = lines.value(std::atoi(named.c_str() + what.size()), -1) + 1;
       return (what == "Stroke" ? tr("Line %1") : tr("line %1")).arg(line);
     });
 }
@@ -219,6 +265,14 @@ QString DrawingTool::advice(const Situation&) const
     {
       return wrong; // of what was asked for last, which changed nothing
     }
+    if (const int line = this->closedLine(); this->isCrossing() && line > 0)
+    {
+      return tr(
+        "%1 F5 makes line %2 a body on both sides, in front or behind; Ctrl+Z takes the last line back; "
+        "or tick Strokes may cross.")
+        .arg(wrong)
+        .arg(line + 1);
+    }
     return this->isCrossing()
              ? tr("%1 Ctrl+Z takes the last line back; or tick Strokes may cross.").arg(wrong)
              : tr("%1 Ctrl+Z takes the last line back.").arg(wrong);
@@ -231,6 +285,12 @@ QString DrawingTool::advice(const Situation&) const
   {
     return tr("Over the model: drag the box's middle to move the part, a corner for its size, the orange "
               "handle for its depth. D pulls a limb of the model.");
+  }
+  if (const int line = this->closedLine(); line > 0)
+  {
+    return tr("F5 puts line %1 on both sides, in front, behind, in the plane. Click in an inner line: hole, "
+              "tunnel, filled again. Shift + drag over a line redraws a part of it.")
+      .arg(line + 1);
   }
   if (countOf(this->Pad->widget()->GetCurves(), closedFeature) > 0)
   {
@@ -314,6 +374,12 @@ void DrawingTool::select(int node)
   }
 }
 
+void DrawingTool::selectLine(int line)
+{
+  this->Line = line;
+  this->Deepen->setEnabled(this->Held && this->closedLine() >= 0);
+}
+
 void DrawingTool::start()
 {
   this->Held = true;
@@ -361,6 +427,7 @@ void DrawingTool::follow()
   this->Pad->parentWidget()->setVisible(this->Held && at >= 0);
   this->Swap->setEnabled(this->Held && at >= 0);
   this->Magnetic->setEnabled(this->Held && at >= 0 && this->Picture);
+  this->Deepen->setEnabled(false);
   if (at < 0)
   {
     this->Handles.show(std::nullopt);
@@ -427,6 +494,7 @@ void DrawingTool::follow()
   {
     this->Pad->showText(this->inLines(this->Pad->widget()->GetSaid()));
   }
+  this->selectLine(this->Line);
 }
 
 // Reads that of the drawing that has been taken up, where nobody has it yet.
@@ -482,14 +550,17 @@ void DrawingTool::take()
   if (replaces)
   {
     vtkSmartPointer<vtkPolyData>& line = next[indexOf(this->Redrawn)].line;
-    const vtkSmartPointer<vtkDataArray> treatment = line->GetCellData()->GetArray("Treatment");
-    line = now[k].line;
+    const vtkSmartPointer<vtkPolyData> before = std::exchange(line, now[k].line);
     ++k;
-    if (treatment)
+    for (const char* name : { "Treatment", "Depth", "Height", "CrossSection" })
     {
-      line->GetCellData()->AddArray(treatment); // a hole stays one
+      if (vtkDataArray* said = before->GetCellData()->GetArray(name))
+      {
+        line->GetCellData()->AddArray(said); // a hole stays one, a limb its twin's
+      }
     }
   }
+  this->Line = k < now.size() ? -1 : this->Line; // the last one
   next.insert(next.end(), now.begin() + static_cast<std::ptrdiff_t>(k), now.end());
   const Step step =
     withDrawing(*this->OpenDocument->nodeAt(at)->step, drawingOf(next, this->Pad->widget()->GetDrawing()));

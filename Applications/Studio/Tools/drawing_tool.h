@@ -43,6 +43,7 @@ public:
   // The drawing that was selected last, else the first one.
   int node() const override;
   void select(int node) override;
+  void selectLine(int line) override;
   // Magnetic, and the two views' sides.
   QWidget* makeOptions(QWidget* parent) override;
   oversketch_session::Values options() const override
@@ -54,7 +55,7 @@ public:
     this->Magnetic->setChecked(std::get<bool>(options.at("Magnetic")));
   }
   QWidget* makeCanvas(QWidget* parent) override;
-  QList<QAction*> actions() const override { return { this->Magnetic, this->Swap }; }
+  QList<QAction*> actions() const override { return { this->Magnetic, this->Deepen, this->Swap }; }
   void start() override;
   void stop() override;
   bool draws() const override;
@@ -76,7 +77,12 @@ private:
   void readPicture();
   // The hand has changed the drawing on the pad.
   void take();
-  QString need() const; // what the drawing lacks, in words
+  // The closed line that was drawn or selected last; -1: none.
+  int closedLine() const;
+  // Puts it at the next depth.
+  void deepen();
+  QString need() const;         // what the drawing lacks, in words
+  QVector<int> linesOn() const; // those that a filter counts
   // Puts what a filter says of strokes, counted from 0 where they are on, into words of the list's lines.
   QString inLines(const oversketch::Message& message) const;
 
@@ -84,7 +90,7 @@ private:
   const Document* OpenDocument;
   QPointer<DrawingPad> Pad; // in a frame of its own
   PartHandles Handles;      // of the drawing's model, where it is a part
-  QAction *Magnetic, *Swap;
+  QAction *Magnetic, *Deepen, *Swap;
   bool Held = false;                                    // the tool is in the hand
   std::vector<oversketch_session::DrawnStroke> Strokes; // of the drawing, also those that are off
   std::shared_ptr<const void> Shown;                    // the identity of its lines
@@ -94,6 +100,7 @@ private:
   bool Started = false;                                 // something is drawn on
   bool Arranged = false;                                // its strokes may cross
   int Redrawn = -1;                                     // the stroke that the next one replaces
+  int Line = -1;                                        // drawn or selected last; -1: the last one
 };
 
 } // namespace oversketch_studio

@@ -64,6 +64,8 @@ public:
   // The step of the history that it changes by itself; -1: none. One is selected, -1: none.
   virtual int node() const { return -1; }
   virtual void select(int) {}
+  // A line of that step is, -1: none.
+  virtual void selectLine(int) {}
   // The options that new steps are made with, for the bar above the viewport; null where there is nothing to
   // choose.
   virtual QWidget* makeOptions(QWidget*) { return nullptr; }

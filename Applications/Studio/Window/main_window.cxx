@@ -386,6 +386,7 @@ void MainWindow::select(int node)
   for (Tool* tool : this->Tools)
   {
     tool->select(node);
+    tool->selectLine(this->History->currentLine());
   }
   this->showSection(node);
   this->offerStep();

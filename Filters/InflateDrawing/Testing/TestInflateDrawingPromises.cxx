@@ -216,12 +216,20 @@ TEST(InflateDrawingPromises, ARunIsCancelledInEachStepAndMadeWhole)
   expectStopIn(traced.filter, "Trace");
   EXPECT_EQ(topologyOf(traced.mesh()).chi, 2);
   stopped.insert("Trace");
+  System layered(strokes);
+  layered.filter->SetBothSides("1");
+  layered.mesh();
+  layered.filter->Modified();
+  expectStopIn(layered.filter, "Layers");
+  EXPECT_EQ(topologyOf(layered.mesh()).pieces, 3);
+  stopped.insert("Layers");
   EXPECT_EQ(static_cast<int>(stopped.size()), System(strokes).filter->GetNumberOfStages()) << "every step";
 }
 
 TEST(InflateDrawingPromises, ProgressNeverFalls)
 {
   System system(drawn(face()));
+  system.filter->SetInFront("1"); // the run of a layer counts, too
   std::vector<double> shares;
   vtkNew<vtkCallbackCommand> hear;
   hear->SetClientData(&shares);

@@ -89,6 +89,19 @@ def test_a_drawing_becomes_objects_and_distances():
     assert abs(deepest - 25 * 1024 / 200) < 2  # half of the ring of 50 px between both
 
 
+def test_strokes_say_where_their_bodies_lie():
+    lines = [ring(100, 100, 80), ring(130, 110, 25)]
+    drawing = oversketch.drawing(lines, (200, 200), closed=True, depth=[0, 3], height=[0, 0.5], cross_section=[0, 2])
+    assert [values(drawing.GetCellData(), name) for name in ("Depth", "Height", "CrossSection")] == [[0, 3], [0.0, 0.5], [0, 2]]
+    system = oversketch.vtkOversketchInflateDrawing()
+    system.SetInputDataObject(0, drawing)
+    mesh = oversketch.update(system)
+    assert set(values(mesh.GetCellData(), "LayerId")) == {0, 1} and mesh.GetBounds()[4] == -mesh.GetBounds()[5]
+    assert system.GetLayer(1).GetInnerOutput("Refine").GetNumberOfPolys() > 100 and system.GetLayer(2) is None
+    with pytest.raises(ValueError, match="Depth must be one number of each of 2 lines"):
+        oversketch.drawing(lines, (200, 200), depth=[1])
+
+
 @pytest.mark.parametrize("lines, image, closed, words", [
     ([], (9, 9), None, "no line"),
     ([[(1, 2)]], (9, 9), None, r"line 0 must have shape \(n, 2\)"),

@@ -29,7 +29,9 @@ def stroke(points: Any, camera: Any, size: collections.abc.Sequence[int]) -> vtk
 
 
 def drawing(lines: collections.abc.Iterable[Any], image: Any,
-            closed: bool | collections.abc.Iterable[bool | None] | None = None) -> vtkPolyData:
+            closed: bool | collections.abc.Iterable[bool | None] | None = None,
+            depth: collections.abc.Iterable[int] | None = None, height: collections.abc.Iterable[float] | None = None,
+            cross_section: collections.abc.Iterable[int] | None = None) -> vtkPolyData:
     """The strokes of a drawing over a picture, as vtkOversketchCanvas and what follows it take them.
 
     lines: arrays of shape (n, 2), n >= 2, one for each stroke, in pixels of the picture from its lower left corner, y up: the
@@ -38,10 +40,11 @@ def drawing(lines: collections.abc.Iterable[Any], image: Any,
     world's origin and whose pixels are one unit wide.
     closed: of all strokes, or of each, whether it is closed; None where that is for its ends to tell, which close it when they
     are at most 0.02 of the picture's longest side apart.
+    depth, height, cross_section: of each stroke cell array Depth, Height, CrossSection (see vtkOversketchInflateDrawing).
 
     Returns one polyline for each stroke, a closed one with its first point id repeated at the end, with the cell arrays of the
     view (see stroke), which looks at the picture from above and shows exactly that, and the field array Canvas, the picture's
-    rectangle. Raises ValueError for lines, pictures or numbers of `closed` that are none.
+    rectangle. Raises ValueError for lines or pictures that are none, and for values that are not of each line.
     """
     import numpy
 
@@ -60,6 +63,12 @@ def drawing(lines: collections.abc.Iterable[Any], image: Any,
               (width, height))
     if closed is not None:
         _add(result.GetCellData(), "Closed", numpy.array([-1 if said is None else int(said) for said in each], dtype=numpy.intc))
+    for name, values, kind in (("Depth", depth, numpy.intc), ("Height", height, float), ("CrossSection", cross_section, numpy.intc)):
+        if values is not None:
+            given = numpy.array(list(values), dtype=kind)
+            if given.shape != (len(places),):
+                raise ValueError(f"{name} must be one number of each of {len(places)} lines, not {given.shape}")
+            _add(result.GetCellData(), name, given)
     _add(result.GetFieldData(), "Canvas", numpy.array([[x, y, across, up]], dtype=float))
     return result
 
