@@ -258,6 +258,7 @@ TEST(LayeredDrawing, EveryValueActsOnLayers)
   system.step<vtkOversketchPlanarRefine>("Refine")->SetLevelsFromSketch(true);
   EXPECT_GE(facesOf(1), 4 * coarse);
   system.step<vtkOversketchPlanarRefine>("Refine")->SetLevelsFromSketch(false);
+  system.filter->SetLevels(1);
   system.filter->SetQuads(true);
   for (const std::vector<vtkIdType>& face : cornersOf(system.mesh()))
   {
