@@ -54,13 +54,13 @@ def drawing(lines: collections.abc.Iterable[Any], image: Any,
     each = [closed] * len(places) if closed is None or isinstance(closed, bool) else list(closed)
     if len(each) != len(places):
         raise ValueError(f"closed must say of each of {len(places)} lines, not of {len(each)}, whether it is closed")
-    (x, y), (across, up), (width, height) = _rectangle(image)
+    (x, y), (across, up), pixels = _rectangle(image)
     view, projection = numpy.identity(4), numpy.identity(4)
     view[:3, 3] = -(x + across / 2), -(y + up / 2), -1.0
     projection[range(3), range(3)] = 2.0 / across, 2.0 / up, -1.0
     result = _polylines(places, [said is True for said in each])
     _add_view(result, numpy.tile(view.reshape(1, 16), (len(places), 1)), numpy.tile(projection.reshape(1, 16), (len(places), 1)),
-              (width, height))
+              pixels)
     if closed is not None:
         _add(result.GetCellData(), "Closed", numpy.array([-1 if said is None else int(said) for said in each], dtype=numpy.intc))
     for name, values, kind in (("Depth", depth, numpy.intc), ("Height", height, float), ("CrossSection", cross_section, numpy.intc)):
