@@ -10,40 +10,31 @@
  * GetInnerOutput). Each departs from the paper as its header says; AsPublished turns the departures off.
  *
  * Refinement that would turn triangles over, or miss small tips, hands parts of strokes back to be followed
- * more closely
- * ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it hands back none.
+ * more closely ({Refine}, output 2): steps Polyline to Refine then run again, at most 24 times, until it
+ * hands back none.
  *
- * Layers are ours: closed strokes may bound bodies of their own, in front or behind. Each is a drawing by
- * itself, made by the same steps and kept by itself, so that one that changes runs alone. Cell arrays of
- * strokes, which may be absent:
- * - Depth, int: 0 in the plane (default), 1 in front, 2 behind, 3 both sides, the body twice; not read of
- * open strokes,
- * - Height, double: factor of the body's heights, extruded ones too, beside the drawing's [0, the default:
- * 1],
- * - CrossSection, int: 0 the drawing's (default), 1 circle, 2 linear, 3 step; what is not 0 goes before
- * Poisson.
- *
- * A closed stroke of another Depth than 0 bounds a layer. Of Depth 0 one with Height or CrossSection does
- * that lies in no other of the plane; its layer lies in the plane. Another stroke is of the last layer before
- * it that it lies wholly in, else of one in the plane that it lies in, else of the plane. A layer in front is
- * moved along z so that its middle plane lies at the mean height, over its area, of what is seen from the
- * front of bodies before it; strokes' order is that of layers, those in the plane come first. One behind
- * likewise from behind. The first body stays in the plane, and one that lies over nothing, which a warning
- * says.
+ * Layers are ours. A closed stroke with another Depth than 0 bounds one, as does, in the plane itself, an
+ * outline with Height or CrossSection. Another stroke is of the last layer before it that it lies wholly in,
+ * or of one in the plane, else of the plane. Each layer is made by a system of its own. One in front is moved
+ * along z: its middle plane lies at the mean height, over its area, of what is seen from the front of the
+ * bodies before it, in the order of strokes; one behind likewise from behind. The first body stays in the
+ * plane, and, with a warning, one that lies over nothing. Cell arrays of strokes, which may be absent:
+ * - Depth, int: 0 in the plane (default), 1 in front, 2 behind, 3 both; not read of open strokes,
+ * - Height, double: factor of heights and extrusion beside the drawing's; 0 (default): 1,
+ * - CrossSection, int: 0 the drawing's (default), 1 circle, 2 linear, 3 step; these go before Poisson.
  *
  * Input 0 (Strokes, optional): stroke polydata: polylines in display coordinates, each with its view, drawn
  * over the plane z = 0; see vtkOversketchCanvas for what else they may say, and oversketch.drawing in Python.
  * Without Trace it must be there.
  * Input 1 (Picture, optional, vtkImageData): the picture that was drawn over. It gives the canvas, edges to
  * magnetic strokes, and texture coordinates their meaning.
- *
  * Input 2 (BackPicture, optional, vtkImageData): a picture of the back, as seen from behind, which faces of
  * the back are to wear: see vtkOversketchProjectTexture, which gives them points of their own then.
  *
  * Output 0: the model, a closed mesh but for tunnels without walls: triangles, or with Quads quads. Arrays of
- * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. Where there are layers it is
- * all bodies, and has cell array LayerId, int: 0 of the plane, else the layer's number, from 1 in the order
- * of the strokes; StrokeId is the stroke's number, RegionId and ObjectId count in each layer. The picture
+ * vtkOversketchInflate or vtkOversketchExtrude, and TCoords; field array Canvas. With layers all
+ * bodies, and cell array LayerId, int: 0 of the plane, else the layer's number, from 1 in the order of
+ * strokes; StrokeId is then the stroke's number, RegionId and ObjectId count in each layer. The picture
  * itself is not in it: give a renderer the picture as a texture; the command and sessions put what it wears
  * of it beside the mesh.
  *
@@ -129,13 +120,25 @@ public:
 
   ///@{
   /**
-   * Numbers of closed strokes, written alike, that bound a body of their own in front of what was drawn
-   * before them, behind it, or on both sides of it. They go before a stroke's own Depth.
+   * Numbers of closed strokes, written alike, that bound layers in front. This list and the next two add up
+   * and go before a stroke's own Depth.
    */
   void SetInFront(const char* strokes);
   const char* GetInFront() const { return this->InFront.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Numbers of those that bound layers behind.
+   */
   void SetBehind(const char* strokes);
   const char* GetBehind() const { return this->Behind.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Numbers of those that bound layers on both sides.
+   */
   void SetBothSides(const char* strokes);
   const char* GetBothSides() const { return this->BothSides.c_str(); }
   ///@}
@@ -203,16 +206,14 @@ public:
    */
   vtkOversketchInflateDrawing* GetLayer(int layer);
 
+  ///@{
   /**
-   * How often the last run made meshes anew, see above; 0 after one that failed.
+   * How often the last run made meshes anew, see above, and how often it refined one at most; 0 after one
+   * that failed.
    */
   vtkGetMacro(Rebuilds, int);
-
-  /**
-   * How often the last run refined the coarse mesh, of layers the most often refined; 0 after one that
-   * failed.
-   */
   vtkGetMacro(LevelsMade, int);
+  ///@}
 
   /**
    * Classes that strokes were taken for, strokes, as words, those of layers after the plane's; and the two

@@ -308,9 +308,16 @@ void vtkOversketchInflateDrawing::Pipeline::FeedLayer(const DrawingLayer& layer)
   system->SetArrange(this->Self->Arrange);
   system->Inner->Refine->SetLevelsFromSketch(this->Refine->GetLevelsFromSketch());
   system->Inner->Inflate->SetUnstretchedRims(this->Inflate->GetUnstretchedRims());
-  system->SetInputData(0, layer.Strokes);
-  system->SetInputData(1, this->PictureSeen.first ? this->Picture.Get() : nullptr);
-  system->SetInputData(2, this->BackSeen.first ? this->Back.Get() : nullptr);
+  vtkDataObject* const inputs[] = { layer.Strokes,
+    this->PictureSeen.first ? this->Picture.Get() : nullptr,
+    this->BackSeen.first ? this->Back.Get() : nullptr };
+  for (int port = 0; port < 3; ++port)
+  {
+    if (system->GetInputDataObject(port, 0) != inputs[port]) // data that are set again count as new ones
+    {
+      system->SetInputData(port, inputs[port]);
+    }
+  }
 }
 
 void vtkOversketchInflateDrawing::Pipeline::RunLayers(vtkPolyData* output)

@@ -26,6 +26,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace oversketch
 {
@@ -183,7 +184,7 @@ void TakeSystems(std::vector<DrawingLayer>& layers, std::vector<DrawingLayer>& b
       {
         if (before[j].System && (!same || SameLines(layer.Strokes, before[j].Strokes)))
         {
-          layer.System = std::move(before[j].System);
+          std::swap(layer.System, before[j].System);
           layer.Strokes = same ? before[j].Strokes : layer.Strokes;
         }
       }

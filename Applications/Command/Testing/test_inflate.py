@@ -90,14 +90,18 @@ def test_holes_tunnels_and_slabs(tmp_path):
     assert numpy.allclose(points_of(read(tmp_path / "low.vtp"))[:, 2], 0.5 * points_of(read(tmp_path / "eye.vtp"))[:, 2], atol=1e-9)
 
 
-def test_closed_lines_lie_in_front_and_behind(tmp_path):
-    turn, rings = numpy.linspace(0, 2 * numpy.pi, 80), tmp_path / "rings.vtp"
-    append = vtkAppendPolyData()
+def rings_in(folder):
+    """A file of a ring and two smaller ones in it."""
+    turn, append = numpy.linspace(0, 2 * numpy.pi, 80), vtkAppendPolyData()
     append.SetOutputPointsPrecision(1)
     for x, r in ((200, 120), (150, 25), (250, 25)):
         append.AddInputData(stroke(numpy.column_stack([x + r * numpy.cos(turn), 150 + r * numpy.sin(turn)])))
     append.Update()
-    write(append.GetOutput(), rings)
+    return write(append.GetOutput(), folder / "rings.vtp")
+
+
+def test_closed_lines_lie_in_front_and_behind(tmp_path):
+    rings = rings_in(tmp_path)
     for options, bodies in ((["--in-front", "1", "--behind", "2"], 3), (["--both-sides", "1 2"], 5), (["--in-front", "1", "--in-front", "2"], 3)):
         done = run("inflate", rings, "-o", tmp_path / "out.vtp", *options, "--report", tmp_path / "report.json")
         assert done.returncode == 0 and done.stderr == "", done.stderr
@@ -258,14 +262,7 @@ def test_what_cannot_be_traced_is_said(tmp_path):
 def test_options_add_up_or_stand_once(tmp_path):
     """A list grows with each time that its option is given; whatever else is given twice is bad use, whatever its kind."""
     out = tmp_path / "out.vtp"
-    rings = tmp_path / "rings.vtp"
-    turn = numpy.linspace(0, 2 * numpy.pi, 80)
-    append = vtkAppendPolyData()
-    append.SetOutputPointsPrecision(1)
-    for x, r in ((200, 120), (150, 25), (250, 25)):
-        append.AddInputData(stroke(numpy.column_stack([x + r * numpy.cos(turn), 150 + r * numpy.sin(turn)])))
-    append.Update()
-    write(append.GetOutput(), rings)
+    rings = rings_in(tmp_path)
     holes = []
     for options in (["--hole", "1 2"], ["--hole", "1", "--hole", "2"], ["--hole=2", "--hole=1"], ["--hole", "1"], ["--tunnel", "1", "--tunnel", "2"],
                     ["--hole", "1", "--tunnel", "2"]):
