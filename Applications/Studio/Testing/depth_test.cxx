@@ -306,6 +306,14 @@ TEST(Depth, TheFormOfALineSetsDepthHeightAndCrossSection)
 TEST(Depth, ALineThatIsRedrawnKeepsIt)
 {
   DepthSheet sheet;
+  // What lies over nothing is said of the line as the rows call it.
+  sheet.line(ring({ 360, 60 }, 20));
+  sheet.deepen();
+  EXPECT_TRUE(sheet.advice->text().startsWith("Line 2 lies over nothing"))
+    << sheet.advice->text().toStdString();
+  sheet.document->undo();
+  sheet.document->undo();
+  sheet.settle();
   sheet.line(ring({ 200, 185 }, 36));
   sheet.deepen();
   sheet.list->setCurrentRow(2);
