@@ -9,7 +9,6 @@
 #include "vtkImageData.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageProperty.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlaneSource.h"
@@ -56,9 +55,8 @@ Colour lineColour(int role)
 
 constexpr Colour faultColour = { 250, 140, 20, 255 };
 constexpr Colour layerColour = { 175, 30, 190, 255 }, twinColour = { 60, 10, 75, 255 };
-constexpr double dashShare = 0.012; // of the canvas, the length of a dash
-constexpr double ringShare = 0.02;  // of the canvas, the radius of the ring about a fault
-constexpr int checksAcross = 32;    // of the longer side
+constexpr double ringShare = 0.02; // of the canvas, the radius of the ring about a fault
+constexpr int checksAcross = 32;   // of the longer side
 
 // A picture with the proportions of a canvas.
 vtkSmartPointer<vtkImageData> checkerboard(double width, double height)
@@ -110,30 +108,23 @@ struct Coloured
     this->cells->InsertNextCell(ids);
     this->colours->InsertNextTypedTuple(colour.data());
   }
-  // A line in dashes of two colours; none of the second where that is transparent.
-  void addDashed(vtkIdList* ids, double length, const Colour& first, const Colour& second)
+  // A line in dashes, of two colours in turn; none of the second where that is
+  // transparent.
+  void addDashed(vtkIdList* ids, const Colour& first, const Colour& second)
   {
-    vtkNew<vtkIdList> dash;
-    double drawn = 0.0;
-    bool isFirst = true;
-    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    constexpr vtkIdType samples = 3;
+    const vtkIdType last = ids->GetNumberOfIds() - 1;
+    for (vtkIdType i = 0; i < last; i += samples)
     {
-      dash->InsertNextId(ids->GetId(i));
-      if (dash->GetNumberOfIds() > 1)
+      const Colour& colour = i / samples % 2 == 0 ? first : second;
+      if (colour[3] != 0)
       {
-        double from[3], to[3];
-        this->data->GetPoint(dash->GetId(dash->GetNumberOfIds() - 2), from);
-        this->data->GetPoint(ids->GetId(i), to);
-        drawn += std::sqrt(vtkMath::Distance2BetweenPoints(from, to));
-      }
-      if (drawn >= length || i + 1 == ids->GetNumberOfIds())
-      {
-        const Colour& colour = isFirst ? first : second;
-        colour[3] == 0 ? void() : this->add(dash, colour);
-        dash->Initialize();
-        dash->InsertNextId(ids->GetId(i));
-        drawn = 0.0;
-        isFirst = !isFirst;
+        this->cells->InsertNextCell(static_cast<int>(std::min(samples, last - i)) + 1);
+        for (vtkIdType k = i; k <= std::min(i + samples, last); ++k)
+        {
+          this->cells->InsertCellPoint(ids->GetId(k));
+        }
+        this->colours->InsertNextTypedTuple(colour.data());
       }
     }
   }
@@ -257,7 +248,6 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
   {
     Coloured lines(curves), regions(curves);
     vtkNew<vtkIdList> ids;
-    const double dash = dashShare * std::max(inner.box[1] - inner.box[0], inner.box[3] - inner.box[2]);
     for (vtkIdType cell = 0; cell < curves->GetNumberOfLines(); ++cell)
     {
       curves->GetLines()->GetCellAtId(cell, ids);
@@ -265,8 +255,7 @@ void vtkOversketchDrawingRepresentation::SetCurves(vtkPolyData* curves)
       const bool isFault = inner.fault >= 0 && labelOf(curves, "StrokeId", cell) == inner.fault;
       const int depth = role == 1 ? labelOf(curves, "Depth", cell) : 0;
       const Colour colour = isFault ? faultColour : depth > 0 ? layerColour : lineColour(role);
-      depth > 1 ? lines.addDashed(ids, dash, colour, depth == 3 ? twinColour : Colour{})
-                : lines.add(ids, colour);
+      depth > 1 ? lines.addDashed(ids, colour, depth == 3 ? twinColour : Colour{}) : lines.add(ids, colour);
       if (role == 2 && treatment != 0 && ids->GetNumberOfIds() > 3)
       {
         ids->SetNumberOfIds(ids->GetNumberOfIds() - 1); // the first one once more

@@ -1,11 +1,13 @@
 #include "vtkOversketchDrawingWidget.h"
 
+#include "by_layers.h"
 #include "drawing_strokes.h"
-#include "layer_judges.h"
 #include "pen_view.h"
 #include "plane_camera.h"
+#include "vtkOversketchArrange.h"
 #include "vtkOversketchCanvas.h"
 #include "vtkOversketchCanvasTools.h"
+#include "vtkOversketchClassify.h"
 #include "vtkOversketchDrawingRepresentation.h"
 #include "vtkOversketchDrawingTools.h"
 #include "vtkOversketchMagneticSnap.h"
@@ -14,6 +16,7 @@
 #include "vtkOversketchStrokeRepresentation.h"
 #include "vtkOversketchStrokeWidget.h"
 #include "vtkOversketchTrace.h"
+#include "vtkOversketchTreatment.h"
 #include "widget_events.h"
 
 #include "vtkCallbackCommand.h"
@@ -55,7 +58,9 @@ struct vtkOversketchDrawingWidget::Internals
   vtkNew<vtkOversketchCanvas> canvas;
   vtkNew<vtkOversketchMagneticSnap> snap;
   vtkNew<vtkOversketchResample> resample;
-  LayerJudges judges;
+  vtkNew<vtkOversketchArrange> arrange;
+  vtkNew<vtkOversketchClassify> classify;
+  vtkNew<vtkOversketchTreatment> treatment;
   vtkNew<vtkPolyData> curves;
   Message said;
   std::string text;
@@ -166,6 +171,7 @@ vtkOversketchDrawingWidget::vtkOversketchDrawingWidget()
   inner.canvas->SetInputData(0, this->Drawing);
   inner.snap->SetInputConnection(0, inner.canvas->GetOutputPort());
   inner.resample->SetInputConnection(0, inner.snap->GetOutputPort());
+  inner.treatment->SetInputConnection(0, inner.classify->GetOutputPort());
   vtkProperty2D* corridor = this->GetPen()->GetStrokeRepresentation()->GetSectionProperty();
   corridor->SetColor(0.20, 0.50, 0.95);
   corridor->SetOpacity(0.25);
@@ -361,15 +367,21 @@ void vtkOversketchDrawingWidget::Classify()
   {
     try
     {
-      for (vtkPolyDataAlgorithm* step :
-        std::initializer_list<vtkPolyDataAlgorithm*>{ inner.canvas, inner.snap, inner.resample })
+      const std::vector<vtkPolyDataAlgorithm*> lines{ inner.canvas, inner.snap, inner.resample };
+      for (vtkPolyDataAlgorithm* step : lines)
       {
         StepRunner(step, listener).Run();
         inner.curves->ShallowCopy(step->GetOutput());
       }
-      const std::vector<Message> judged = inner.judges.judge(
-        inner.resample->GetOutput(), LayersOfStrokes(inner.canvas->GetOutput()), this->Arrange, inner.curves);
-      said.insert(said.end(), judged.begin(), judged.end());
+      std::vector<vtkPolyDataAlgorithm*> judges{ inner.classify, inner.treatment };
+      if (this->Arrange)
+      {
+        judges.insert(judges.begin(), inner.arrange);
+        inner.classify->SetInputConnection(0, inner.arrange->GetOutputPort());
+      }
+      const std::vector<Message> more = runByLayers(
+        judges, inner.resample->GetOutput(), LayersOfStrokes(inner.canvas->GetOutput()), inner.curves);
+      said.insert(said.end(), more.begin(), more.end());
     }
     catch (const Error& error) // curves are those of the step before
     {

@@ -95,12 +95,17 @@ struct DepthSheet : Sheet
     QTest::keyClick(&this->window, Qt::Key_F5);
     this->settle();
   }
+  // Without the room for the marker below it.
+  QPoint middleOfRow(int row)
+  {
+    this->list->scrollToItem(this->list->item(row));
+    return this->list->visualItemRect(this->list->item(row)).topLeft() +
+           QPoint(60, this->list->fontMetrics().height() / 2);
+  }
   // Takes a row to just below another one, or with -1 to just above it.
   void dragRow(int from, int to, int side)
   {
-    const auto middle = [this](int row)
-    { return this->list->visualItemRect(this->list->item(row)).center(); };
-    const QPoint start = middle(from), end = middle(to) + QPoint(0, side * 4);
+    const QPoint start = this->middleOfRow(from), end = this->middleOfRow(to) + QPoint(0, 4 * side);
     QWidget* over = this->list->viewport();
     QTest::mousePress(over, Qt::LeftButton, Qt::NoModifier, start);
     sweepMouse(over, 1, 8, [&](int i) { return start + (end - start) * i / 8; });
@@ -246,7 +251,7 @@ TEST(Depth, LaterRowsLieFurtherOutAndAreDragged)
   // To where it is, and past its drawing, it stays in it; Escape on the way leaves all as it is.
   sheet.dragRow(3, 3, 1);
   EXPECT_EQ(sheet.document->digest(), drawn);
-  const QPoint from = sheet.list->visualItemRect(sheet.list->item(3)).center();
+  const QPoint from = sheet.middleOfRow(3);
   QTest::mousePress(sheet.list->viewport(), Qt::LeftButton, Qt::NoModifier, from);
   sweepMouse(sheet.list->viewport(), 1, 8, [&](int i) { return from - QPoint(0, 8 * i); });
   QTest::keyClick(sheet.list, Qt::Key_Escape);
@@ -301,6 +306,14 @@ TEST(Depth, TheFormOfALineSetsDepthHeightAndCrossSection)
 TEST(Depth, ALineThatIsRedrawnKeepsIt)
 {
   DepthSheet sheet;
+  // What lies over nothing is said of the line as the rows call it.
+  sheet.line(ring({ 360, 60 }, 20));
+  sheet.deepen();
+  EXPECT_TRUE(sheet.advice->text().startsWith("Line 2 lies over nothing"))
+    << sheet.advice->text().toStdString();
+  sheet.document->undo();
+  sheet.document->undo();
+  sheet.settle();
   sheet.line(ring({ 200, 185 }, 36));
   sheet.deepen();
   sheet.list->setCurrentRow(2);

@@ -288,8 +288,9 @@ QString DrawingTool::advice(const Situation&) const
   }
   if (const int line = this->closedLine(); line > 0)
   {
-    return tr("F5 puts line %1 on both sides, in front, behind, in the plane. Click in an inner line: hole, "
-              "tunnel, filled again. Shift + drag over a line redraws a part of it.")
+    return tr(
+      "F5 puts line %1 on both sides, in front, behind, in the plane, in turn. Click in an inner line: "
+      "hole, tunnel, filled again. Shift + drag over a line redraws a part of it.")
       .arg(line + 1);
   }
   if (countOf(this->Pad->widget()->GetCurves(), closedFeature) > 0)

@@ -35,6 +35,7 @@ public:
   }
   QPainterPath icon() const override;
   QVector<QPair<QString, QString>> keys() const override;
+  QString words(const oversketch::Message& message) const override { return this->inLines(message); }
   QString advice(const Situation& situation) const override;
   bool judges() const override;
   std::string asked() const override;

@@ -118,7 +118,8 @@ bool MainWindow::speak()
   const QString of = row == last ? QString() : tr("%1: ").arg(QString::fromStdString(node->name));
   this->Advice->setText(
     of + (!state.failure.empty() ? tr("That did nothing: %1").arg(briefWords(state.failure))
-                                 : briefWords(state.remark) + (tool ? ' ' + tool->remedy() : QString())));
+           : tool                ? tool->words(state.remark) + ' ' + tool->remedy()
+                                 : briefWords(state.remark)));
   this->offerAnyway(row, askedFor(state.failure));
   return true;
 }
