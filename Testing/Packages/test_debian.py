@@ -142,7 +142,7 @@ def test_no_path_of_this_machine_is_inside(root):
 
 def test_models_strokes_drawings_and_edits_are_all_inside(root):
     shipped = 0
-    for folder in ("Drawings", "Edits", "Models", "Strokes", "Terrain"):
+    for folder in ("Drawings", "Edits", "Models", "Strokes", "Terrain", "Works"):
         here, there = SOURCE / "Data" / folder, root / "usr" / "share" / "oversketch" / folder
         assert sorted(file.name for file in there.iterdir()) == sorted(file.name for file in here.iterdir()), folder
         for file in here.iterdir():

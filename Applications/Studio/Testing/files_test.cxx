@@ -451,10 +451,16 @@ TEST(Files, PicturesAreDecodedBeforeTheyAreSeen)
 TEST(Files, EveryExampleOpens)
 {
   const QVector<Example> all = examples();
-  EXPECT_EQ(all.size(), 11);
+  EXPECT_EQ(all.size(), 14);
   for (const Example& one : all)
   {
     const Document::Opened opened = readExample(one, 0);
+    EXPECT_TRUE(opened.path.isEmpty()) << "what is shipped would be overwritten";
+    if (one.file.endsWith(".oversketch"))
+    {
+      EXPECT_TRUE(!opened.session.mesh && opened.session.nodes.size() > 5) << qPrintable(one.title);
+      continue;
+    }
     EXPECT_TRUE(one.picture.isEmpty() ? opened.session.mesh && opened.session.nodes.empty()
                                       : !opened.session.mesh && opened.session.nodes.size() == 1)
       << qPrintable(one.title);
@@ -469,6 +475,16 @@ TEST(Files, EveryExampleOpens)
   ASSERT_EQ(scene.document->result().nodes.size(), 1u);
   EXPECT_EQ(scene.document->result().nodes[0].failure, "");
   EXPECT_TRUE(scene.view->mesh());
+  EXPECT_FALSE(scene.document->isModified());
+  actionOf(*menu, "Shell (session)")->trigger();
+  scene.wait();
+  const auto& steps = scene.document->result().nodes;
+  EXPECT_GT(steps.size(), 10u);
+  for (const auto& step : steps)
+  {
+    EXPECT_EQ(step.failure, "");
+  }
+  EXPECT_EQ(scene.document->path(), "");
   EXPECT_FALSE(scene.document->isModified());
 }
 

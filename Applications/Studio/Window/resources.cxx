@@ -26,7 +26,12 @@ struct Row
 {
   const char* title;
   const char* file;
-  bool isDrawing = false;
+  enum
+  {
+    Model,
+    Drawing,
+    Work // a session
+  } kind = Model;
 };
 const Row exampleRows[] = {
   { QT_TRANSLATE_NOOP("Examples", "Dog"), "dog" },
@@ -35,11 +40,14 @@ const Row exampleRows[] = {
   { QT_TRANSLATE_NOOP("Examples", "Hand"), "hand" },
   { QT_TRANSLATE_NOOP("Examples", "Octopus"), "octopus" },
   { QT_TRANSLATE_NOOP("Examples", "Person"), "person" },
-  { QT_TRANSLATE_NOOP("Examples", "Fish (drawing)"), "fish", true },
-  { QT_TRANSLATE_NOOP("Examples", "Heron (drawing)"), "heron", true },
-  { QT_TRANSLATE_NOOP("Examples", "Leaf (drawing)"), "leaf", true },
-  { QT_TRANSLATE_NOOP("Examples", "Mug (drawing)"), "mug", true },
-  { QT_TRANSLATE_NOOP("Examples", "Padlock (drawing)"), "padlock", true },
+  { QT_TRANSLATE_NOOP("Examples", "Fish (drawing)"), "fish", Row::Drawing },
+  { QT_TRANSLATE_NOOP("Examples", "Heron (drawing)"), "heron", Row::Drawing },
+  { QT_TRANSLATE_NOOP("Examples", "Leaf (drawing)"), "leaf", Row::Drawing },
+  { QT_TRANSLATE_NOOP("Examples", "Mug (drawing)"), "mug", Row::Drawing },
+  { QT_TRANSLATE_NOOP("Examples", "Padlock (drawing)"), "padlock", Row::Drawing },
+  { QT_TRANSLATE_NOOP("Examples", "Dragon (session)"), "creature", Row::Work },
+  { QT_TRANSLATE_NOOP("Examples", "Gnome (session)"), "figure", Row::Work },
+  { QT_TRANSLATE_NOOP("Examples", "Shell (session)"), "relief", Row::Work },
 };
 
 } // namespace
@@ -62,11 +70,13 @@ QVector<Example> examples()
   QVector<Example> found;
   for (const Row& row : exampleRows)
   {
-    const QString stem = QString(row.isDrawing ? "Drawings/%1." : "Models/%1.").arg(row.file);
+    constexpr const char* files[] = { "Models/%1.ply", "Drawings/%1.vtp", "Works/%1.oversketch" };
+    const bool isDrawing = row.kind == Row::Drawing;
     const Example one{ QCoreApplication::translate("Examples", row.title),
-      shippedFile(stem + (row.isDrawing ? "vtp" : "ply")),
-      row.isDrawing ? shippedFile(stem + "png") : QString() };
-    const bool isWhole = !row.isDrawing || (!one.picture.isEmpty() && findSystem(drawingSystem));
+      shippedFile(QString(files[row.kind]).arg(row.file)),
+      isDrawing ? shippedFile(QString("Drawings/%1.png").arg(row.file)) : QString() };
+    const bool isWhole =
+      row.kind == Row::Model || (findSystem(drawingSystem) && (!isDrawing || !one.picture.isEmpty()));
     if (isWhole && !one.file.isEmpty())
     {
       found << one;
@@ -79,7 +89,9 @@ Document::Opened readExample(const Example& example, int backend)
 {
   if (example.picture.isEmpty())
   {
-    return Document::read(example.file, backend);
+    Document::Opened opened = Document::read(example.file, backend);
+    opened.path.clear(); // of a session, which Ctrl+S would overwrite
+    return opened;
   }
   const ReadPicture read = readPicture(example.picture);
   const Image& picture = read.image;

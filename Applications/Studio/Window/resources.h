@@ -1,4 +1,4 @@
-// The files that come with the program: models and drawings to begin with, and translations,
+// The files that come with the program: models, drawings and sessions to begin with, and translations,
 // Translations/oversketch_LANGUAGE.qm.
 #ifndef oversketch_applications_studio_window_resources_h
 #define oversketch_applications_studio_window_resources_h
@@ -17,18 +17,18 @@ QString shippedFile(const QString& path);
 // The model that the window opens on; empty where it is not installed.
 QString shippedModel();
 
-// A model or a drawing.
+// A model, a drawing or a session.
 struct Example
 {
   QString title;
-  QString file;    // of a model, or of a drawing
-  QString picture; // that a drawing lies over; empty for a model
+  QString file;
+  QString picture; // that a drawing lies over; else empty
 };
 
 // Those that are installed, models first.
 QVector<Example> examples();
 
-// On any thread. Throws Failed.
+// On any thread. A session is read as one that is not saved yet. Throws Failed.
 Document::Opened readExample(const Example& example, int backend);
 
 // Takes up the translation into that language that is in the folder, for the rest of the program, with Qt's
