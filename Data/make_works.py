@@ -163,8 +163,21 @@ class Hand:
         away = 0.81 * (np.asarray(places, float) - (413.5, 370)) * [1 if side == FRONT else -1, -1]
         return np.array([view.left + 0.5 * view.width, view.top + 0.5 * view.height]) + away
 
-    def step(self, last=1):
-        return until(self.sitting.session, "a result")["steps"][-last]
+    def step(self):
+        """The last one."""
+        return until(self.sitting.session, "a result")["steps"][-1]
+
+    def takes_effect(self, act):
+        """Until the last step is another one, or has changed: what comes while the window computes may do nothing."""
+        before = self.step()
+        for _ in range(3):
+            act()
+            end = time.time() + 10.0
+            while time.time() < end:
+                if self.step() != before:
+                    return self.rest()
+                time.sleep(0.2)
+        raise TimeoutError("nothing changes")
 
     def handles(self):
         """Of a part's box: its lower left and upper right corner and the depth's handle."""
@@ -180,11 +193,12 @@ class Hand:
         root, corner, _ = self.handles()
         box = self.step()["part"]["box"]
         pixel = (corner - root)[0] / (box[2] - box[0])
-        self.drag([corner, root + (corner - root) * width / (box[2] - box[0])])
-        root, corner, _ = self.handles()
+        if abs(width / (box[2] - box[0]) - 1.0) > 0.02:
+            self.takes_effect(lambda: self.drag([corner, root + (corner - root) * width / (box[2] - box[0])]))
+            root, corner, _ = self.handles()
         box = self.step()["part"]["box"]
         middle = 0.5 * (root + corner)
-        self.drag([middle, middle + pixel * np.array([left - box[0], box[1] - low])])
+        self.takes_effect(lambda: self.drag([middle, middle + pixel * np.array([left - box[0], box[1] - low])]))
         self.look(TOP)
         root, corner, handle = self.handles()
         box = self.step()["part"]["box"]
@@ -201,14 +215,10 @@ class Hand:
 
     def twin(self, at):
         """A twin of what is there, on the other side of the picture's plane."""
-        self.twice(at)
-        count = len(self.systems())
-        self.take("list item", f"Place {count}")
+        self.takes_effect(lambda: self.twice(at))
+        self.take("list item", self.step()["name"])
         self.choose("x", 2, 3)
         self.type("spin button", "Mirror at", "0")
-
-    def systems(self):
-        return [step["system"] for step in until(self.sitting.session, "a result")["steps"]]
 
 
 def lines(hand, radius, height, *courses):
@@ -286,8 +296,8 @@ def gnome(hand):
     # Nose and moustache stand out.
     hand.key("b")
     on_view = lambda *places: np.array([hand.on_view(*place) for place in places])
-    lines(hand, 42, 34, on_view((366, 290), (372, 291), (379, 290)))
-    lines(hand, 20, 12, *(on_view(*spline([(372 + s * x, y) for x, y in ((7, 308), (27, 322), (54, 322), (66, 312))])) for s in (-1, 1)))
+    lines(hand, 46, 26, on_view(*((x, 290) for x in np.linspace(364, 380, 12))))
+    lines(hand, 24, 8, *(on_view(*spline([(372 + s * x, y) for x, y in ((18, 314), (36, 324), (55, 323), (66, 315))])) for s in (-1, 1)))
 
 
 def shell(hand):
@@ -314,8 +324,7 @@ def shell(hand):
         far = 318 - 100 * np.sin(angle) ** 2
         ribs.append(on([hinge + k * np.array([np.sin(angle), np.cos(angle)]) for k in np.linspace(112, far, 12)]))
     lines(hand, 26, 10, *ribs)
-    studs = [on([(384 + s * 276 - 9, 384 + t * 276), (384 + s * 276, 384 + t * 276 + 2), (384 + s * 276 + 9, 384 + t * 276)])
-             for s in (-1, 1) for t in (-1, 1)]
+    studs = [on([(384 + s * 276 + x, 384 + t * 276) for x in np.linspace(-11, 11, 16)]) for s in (-1, 1) for t in (-1, 1)]
     lines(hand, 26, 12, *(on(spline([(384 + s * 40, 158), (384 + s * 76, 152), (384 + s * 112, 162)])) for s in (-1, 1)), *studs)
     hand.choose("Raise", 1, 2)
     sides = [((152, 108), (616, 108)), ((660, 152), (660, 616)), ((616, 660), (152, 660)), ((108, 616), (108, 152))]
