@@ -406,4 +406,38 @@ TEST(Tasks, ASilhouetteIsAModelInFourActions)
   EXPECT_EQ(openEdges(hand.mesh()), 0);
   EXPECT_NEAR(hand.bound(1) - hand.bound(0), 180.0, 3.0);
   hand.did("A model of a silhouette", 4);
+
+  vtkRenderer* from = pad->renderWindow()->GetRenderers()->GetFirstRenderer();
+  const auto onPad = [&](const QPointF& place)
+  {
+    from->SetWorldPoint(place.x(), place.y(), 0.0, 1.0);
+    from->WorldToDisplay();
+    const double* at = from->GetDisplayPoint();
+    return QPoint(static_cast<int>(at[0]), pad->height() - 1 - static_cast<int>(at[1]));
+  };
+  Path limb;
+  for (const QPointF& place : ring({ 190.0, 100.0 }, 30.0))
+  {
+    limb.push_back(onPad(place));
+  }
+  const double thick = hand.bound(5);
+  hand.drag(pad, limb);
+  hand.key(Qt::Key_F5);
+  EXPECT_EQ(hand.failures(), "");
+  EXPECT_GT(hand.bound(5), thick);
+  EXPECT_EQ(hand.bound(5), -hand.bound(4)) << "one stands in front, its twin behind";
+  hand.did("A limb and its twin", 2);
+
+  const auto action = [&](const QString& text)
+  {
+    const auto all = hand.window.findChildren<QAction*>();
+    const auto one = std::find_if(
+      all.begin(), all.end(), [&](QAction* a) { return a->text().remove('&').startsWith(text); });
+    EXPECT_NE(one, all.end()) << text.toStdString();
+    return one == all.end() ? nullptr : *one;
+  };
+  QAction* worn = action("Pictures of models");
+  hand.key(Qt::Key_F);
+  EXPECT_TRUE(worn && !worn->isChecked());
+  hand.did("See the form without the picture", 1);
 }

@@ -69,7 +69,7 @@ Quality qualityOf(vtkPolyData* data)
   return q;
 }
 
-vtkSmartPointer<vtkPolyData> mapped(vtkPolyData* input, const Map& map)
+vtkSmartPointer<vtkPolyData> carriedBy(vtkPolyData* input, const Map& map)
 {
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->DeepCopy(input);
@@ -190,10 +190,10 @@ TEST(A11_2, StretchedLimbKeepsItsTrianglesAndTheMeshItsTopology)
   for (const Case& c : cases)
   {
     const Quality before = qualityOf(c.input);
-    const Quality without = qualityOf(mapped(c.input, c.map));
+    const Quality without = qualityOf(carriedBy(c.input, c.map));
     Remeshed stretch(c.input, vtkOversketchRemesh::Stretch, handlesOn(c.input, 1.0, 2.5));
     const auto dense = stretch.run();
-    const auto deformed = mapped(dense, c.map);
+    const auto deformed = carriedBy(dense, c.map);
     Remeshed restore(deformed, vtkOversketchRemesh::Restore, stretch.filter->GetHandlesOutput());
     const auto result = restore.run();
     expectOutsideUntouched(c.input, dense);
