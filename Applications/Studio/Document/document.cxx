@@ -266,12 +266,14 @@ SessionFile Document::file() const
 
 std::optional<MirrorPlane> Document::mirrorPlane(int choice) const
 {
-  if (choice == 0 || !this->isOpen() || !this->session().mesh)
+  // Where the first step makes the model it is what has been made by now.
+  const SharedData model = this->session().mesh ? this->session().mesh : this->Result.mesh;
+  if (choice == 0 || !this->isOpen() || !model || model->GetNumberOfPoints() == 0)
   {
     return std::nullopt;
   }
   double box[6];
-  this->session().mesh->GetBounds(box);
+  model->GetBounds(box);
   const int axis = choice - 1;
   const double middle = 0.5 * (box[2 * axis] + box[2 * axis + 1]);
   // Models are made about the origin, and their two sides seldom reach equally far.

@@ -123,6 +123,18 @@ TEST(Drawing, ALineOverALargePictureDoesNotLag)
 }
 
 // One frame more is drawn when nothing moves, and then none, where the processor draws.
+TEST(Drawing, AMirrorPlaneGoesThroughWhatWasDrawn)
+{
+  Sheet sheet;
+  sheet.open();
+  EXPECT_FALSE(sheet.document->mirrorPlane(1)) << "nothing is drawn yet";
+  sheet.line(beast());
+  const auto across = sheet.document->mirrorPlane(1), along = sheet.document->mirrorPlane(3);
+  ASSERT_TRUE(across && along);
+  EXPECT_NEAR(across->offset, 200.0, 3.0);
+  EXPECT_EQ(along->offset, 0.0);
+}
+
 TEST(Drawing, ItsEdgesAreSmoothedOnceTheHandRests)
 {
   Sheet sheet;

@@ -487,8 +487,7 @@ bool PlaceTool::makeTwin(const Vector2& at)
   }
   Step step = placing(*part);
   step.values[copyName] = 1;
-  const auto plane = this->OpenDocument->mirrorPlane(1); // none where the first step made the model
-  step.values["MirrorOffset"] = plane ? plane->offset : this->View->mesh()->GetCenter()[0];
+  step.values["MirrorOffset"] = this->OpenDocument->mirrorPlane(1)->offset;
   const std::vector<int> parts = oversketch_files::partsOf(this->View->mesh());
   this->Part = parts.empty() ? 1 : parts.back() + 1;
   emit this->drawn(step);
