@@ -11,9 +11,12 @@
 #include "vtkOversketchFilterTools.h"
 #include "vtkOversketchSystem.h"
 
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkStaticCellLocator.h"
+#include "vtkTriangle.h"
 
 #include <algorithm>
 #include <array>
@@ -53,6 +56,24 @@ const SystemRow* nextOf(const Model& model)
     return systems().empty() ? nullptr : &systems().front();
   }
   return findSystem(model.nodes.back().step->system);
+}
+
+double areaOf(vtkPolyData* mesh)
+{
+  double area = 0.0, p[3][3];
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    mesh->GetPoint(ids->GetId(0), p[0]);
+    for (vtkIdType i = 2; i < ids->GetNumberOfIds(); ++i)
+    {
+      mesh->GetPoint(ids->GetId(i - 1), p[1]);
+      mesh->GetPoint(ids->GetId(i), p[2]);
+      area += vtkTriangle::TriangleArea(p[0], p[1], p[2]);
+    }
+  }
+  return area;
 }
 
 // Copies what a step takes of other steps.
@@ -215,8 +236,8 @@ std::vector<Worker::NodeState> Worker::statesOf(const Model& model, const std::v
     {
       state.region = deepCopyOf(outcome.details->region);
       state.following = outcome.details->following;
-      const vtkIdType count = outcome.mesh->GetNumberOfPoints();
-      state.share = count > 0 ? double(state.region->GetNumberOfPoints()) / double(count) : 0.0;
+      const double whole = areaOf(outcome.mesh);
+      state.share = whole > 0.0 ? areaOf(state.region) / whole : 0.0;
     }
     state.failure = outcome.failure;
     // A host that computes is no flaw of a result; the window says elsewhere what computes.

@@ -38,7 +38,7 @@ public:
     // nothing, and before the details have come.
     SharedData region;
     std::shared_ptr<const Following> following;
-    double share = 0.0; // of the points of its mesh that it moved
+    double share = 0.0; // of its mesh's area that it moved
     // The model after it; null where it did nothing, and before it was drawn (Listener::pictured).
     std::shared_ptr<const Thumbnail> picture;
   };

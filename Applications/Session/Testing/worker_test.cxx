@@ -7,6 +7,7 @@
 
 #include "Harness/polydata.h"
 
+#include "vtkMassProperties.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -200,6 +201,11 @@ TEST(Worker, HandsTheMeshOverFirstAndCopiesOnlyWhatRan)
       ASSERT_TRUE(node.region && node.following && node.hold);
       EXPECT_GT(node.region->GetNumberOfPolys(), 10);
     }
+    vtkNew<vtkMassProperties> part, whole;
+    part->SetInputData(desk.details[0].nodes[1].region.own());
+    whole->SetInputData(desk.done[0].mesh.own());
+    EXPECT_NEAR(desk.details[0].nodes[1].share, part->GetSurfaceArea() / whole->GetSurfaceArea(), 1e-9)
+      << "by area: a line's own triangles are small and many";
   }
   session.nodes[1] = changed(session.nodes[1], [](Step& step) { step.values["AdjustNormals"] = true; });
   worker.submit(session);
