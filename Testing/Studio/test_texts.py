@@ -8,7 +8,7 @@ STRING = r'"(?:[^"\\\n]|\\.)*"'
 TRANSLATED = re.compile(r"(?:\btr\(|\btranslate\(\s*%s,|QT_TRANSLATE_NOOP\(\s*%s,)\s*%s(?:\s*%s)*" % ((STRING,) * 4))
 # What no person reads, or a terminal shows.
 NOT_READ = re.compile(r'setObjectName\(%s\)|fprintf\([^;]*;|#include[^\n]*|(?:create|toString|startsWith|shippedFile)\(%s\)|\{ %s, (?=QT_TR)|[!=]= %s|(?:constexpr const char\*|const char\* const) \w+ = %s|translate\(%s, (?!")|R"\(.*?\)"'
-                      r'|(?:change\(|findParameter\(\*\w+, |findSystem\(|HeldStrokeTool\(|\.find\(|values\[|valueOr\(values, |GetInnerOutput\(|GetArray\()%s'
+                      r'|(?:change\(|findParameter\(\*\w+, |findSystem\(|HeldStrokeTool\(|\.find\(|values\[|valueOr\([\w.]+, |GetInnerOutput\(|GetArray\()%s'
                       r'|\{ %s, this->|options\.\w+\(%s|length : \{ %s, %s|\{ %s(?:\s*%s)*,(?=\s*QT_TR)|\{ %s, (?=line|ring|begins|isRing)|unusable\(%s|system\(\) const override \{ return %s|isOf\(\w+, %s|QStringList\{ [^}]* \}\.contains\(' % ((STRING,) * 17), re.S)
 SENTENCE = re.compile(r"[A-Za-z]{2,}[,.:]? [A-Za-z]|^\"[A-Z][a-z]+\"$")
 

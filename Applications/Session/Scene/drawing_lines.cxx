@@ -72,10 +72,10 @@ constexpr struct
   double otherwise;
 } ofStrokes[] = { { "Magnetic", 0.0 },
   { "SnapRadius", 10.0 },
-  { "Treatment", 0.0 },
-  { "Depth", 0.0 },
-  { "Height", 0.0 },
-  { "CrossSection", 0.0 } };
+  { treatmentArray, 0.0 },
+  { depthArray, 0.0 },
+  { heightArray, 0.0 },
+  { sectionArray, 0.0 } };
 
 // Strokes that are appended keep the arrays that all have: one that lacks an array gets what it means
 // without.
@@ -172,30 +172,30 @@ void say(vtkPolyData* line, const char* name, Value value)
 
 int treatmentOf(vtkPolyData* line)
 {
-  return static_cast<int>(saidOf(line, "Treatment"));
+  return static_cast<int>(saidOf(line, treatmentArray));
 }
 
 int depthOf(vtkPolyData* line)
 {
-  return static_cast<int>(saidOf(line, "Depth"));
+  return static_cast<int>(saidOf(line, depthArray));
 }
 
 double heightOf(vtkPolyData* line)
 {
-  return saidOf(line, "Height");
+  return saidOf(line, heightArray);
 }
 
 int crossSectionOf(vtkPolyData* line)
 {
-  return static_cast<int>(saidOf(line, "CrossSection"));
+  return static_cast<int>(saidOf(line, sectionArray));
 }
 
 vtkSmartPointer<vtkPolyData> withDepth(vtkPolyData* line, int depth, double height, int crossSection)
 {
   const vtkSmartPointer<vtkPolyData> next = shallowCopyOf(line);
-  say<vtkIntArray>(next, "Depth", depth);
-  say<vtkDoubleArray>(next, "Height", height);
-  say<vtkIntArray>(next, "CrossSection", crossSection);
+  say<vtkIntArray>(next, depthArray, depth);
+  say<vtkDoubleArray>(next, heightArray, height);
+  say<vtkIntArray>(next, sectionArray, crossSection);
   return next;
 }
 

@@ -33,6 +33,12 @@ vtkSmartPointer<vtkPolyData> drawingOf(const std::vector<DrawnStroke>& strokes, 
 // handed back.
 vtkSmartPointer<vtkPolyData> strokesThatAreOn(vtkPolyData* drawing);
 
+// Cell arrays in which a stroke says what becomes of its inside.
+constexpr const char* treatmentArray = "Treatment";
+constexpr const char* depthArray = "Depth";
+constexpr const char* heightArray = "Height";
+constexpr const char* sectionArray = "CrossSection";
+
 // 0 fill, 1 hole, 2 tunnel.
 int treatmentOf(vtkPolyData* line);
 

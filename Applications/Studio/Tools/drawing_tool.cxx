@@ -553,7 +553,7 @@ void DrawingTool::take()
     vtkSmartPointer<vtkPolyData>& line = next[indexOf(this->Redrawn)].line;
     const vtkSmartPointer<vtkPolyData> before = std::exchange(line, now[k].line);
     ++k;
-    for (const char* name : { "Treatment", "Depth", "Height", "CrossSection" })
+    for (const char* name : { treatmentArray, depthArray, heightArray, sectionArray })
     {
       if (vtkDataArray* said = before->GetCellData()->GetArray(name))
       {
