@@ -111,15 +111,13 @@ QVector<QPair<QString, QString>> DrawingTool::keys() const
 {
   return {
     { tr("In the picture:"), {} },
-    { tr("  Left drag"), tr("draw a line; an outline ends where it began") },
+    { tr("  Left drag"), tr("draw a line; close an outline") },
     { tr("  Shift + left drag"), tr("over a line: redraw a part of it") },
     { tr("  Left click"), tr("on a shape: trace its outline; in a closed inner line: fill, hole, tunnel") },
     { tr("  Wheel, middle drag"), tr("zoom, pan") },
-    { tr("F4"), tr("magnetic pen on or off") },
-    { tr("F5"), tr("a closed line on both sides, in front, behind") },
-    { tr("V"), tr("picture and model change sides") },
-    { tr("Over the model:"), {} },
-    { tr("  Left drag"), tr("turn the model") },
+    { tr("F5"), tr("depth of what a closed line bounds") },
+    { tr("F4, V"), tr("magnet on or off; views change sides") },
+    { tr("Over the model:"), tr("left drag: turn it") },
     { tr("  On a part's handle"), tr("move it; a corner: its size, Shift: freely; orange: its depth") },
   };
 }
