@@ -13,7 +13,6 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 
-#include <QLineEdit>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QThreadPool>
@@ -75,26 +74,7 @@ struct Desk : Sheet
   {
     this->open();
     this->line(beast());
-    this->answering([this] { this->action("Add a pict&ure as a part…")->trigger(); });
-  }
-  void answering(const std::function<void()>& ask)
-  {
-    QTimer timer;
-    QObject::connect(&timer,
-      &QTimer::timeout,
-      [this]
-      {
-        if (QWidget* dialog = QApplication::activeModalWidget())
-        {
-          auto* name = dialog->findChild<QLineEdit*>();
-          ASSERT_TRUE(name);
-          name->setText(this->file);
-          QTest::keyClick(name, Qt::Key_Return);
-        }
-      });
-    timer.start(100);
-    ask();
-    this->settle();
+    this->choose("Add a pict&ure as a part…", this->file);
   }
   const std::optional<PartPlace>& part() { return this->step(1).part; }
   // Where a handle is, as Qt counts.
@@ -343,6 +323,27 @@ TEST(Part, ItsHandlesPutItElsewhereAndOneDragIsOneStepOfUndo)
   desk.drag(PartHandle::Depth, 2 * (desk.handle(PartHandle::Depth) - desk.handle(PartHandle::Middle)) / 3);
   EXPECT_GT(desk.part()->depth, nearer.depth);
   EXPECT_EQ(desk.part()->box, nearer.box);
+}
+
+TEST(Part, ItsBoxGoesWithTheTool)
+{
+  Desk desk;
+  desk.line(ring({ 200, 150 }, 60));
+  const auto orange = [&]
+  {
+    return count(desk.pictureAtRest(),
+      [](const QColor& c) { return c.red() > 230 && std::abs(c.green() - 158) < 12 && c.blue() < 80; });
+  };
+  EXPECT_GT(orange(), 40) << "no handle";
+  for (const Qt::Key other : { Qt::Key_7, Qt::Key_D, Qt::Key_B })
+  {
+    QTest::keyClick(desk.view, other);
+    desk.settle();
+    EXPECT_LT(orange(), 10) << static_cast<char>(other);
+    QTest::keyClick(desk.view, Qt::Key_G);
+    desk.settle();
+    EXPECT_GT(orange(), 40) << "gone for good";
+  }
 }
 
 TEST(Part, WhatIsNoPictureIsSaidAndAddsNothing)
