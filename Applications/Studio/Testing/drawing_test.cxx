@@ -6,6 +6,7 @@
 #include "mesh_file.h"
 #include "message_text.h"
 #include "sheet.h"
+#include "step_panel.h"
 #include "texture.h"
 #include "tool.h"
 
@@ -17,8 +18,10 @@
 #include "vtkPointData.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QSplitter>
 
 #include <algorithm>
@@ -468,6 +471,49 @@ TEST(Drawing, ItsFormAndItsKeys)
   const QString listed = QString::fromUtf8(sheet.view->camera()->GetKeyList());
   EXPECT_TRUE(listed.contains("\nF4 ") && listed.contains("\nV ") && listed.contains("In the picture:\n"))
     << listed.toStdString();
+}
+
+TEST(Drawing, AGreyFormHasTheValuesOfWhatIsShown)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  Values values = sheet.step(0).values;
+  values["ExtrudeDepth"] = 65.0;
+  sheet.document->setParameters(0, values, std::nullopt);
+  sheet.settle();
+  auto* form = sheet.window.findChild<StepPanel*>();
+  const auto field = [form](const char* spoken) -> QWidget*
+  {
+    const auto all = form->currentWidget()->findChildren<QWidget*>();
+    const auto one = std::find_if(
+      all.begin(), all.end(), [spoken](QWidget* widget) { return widget->accessibleName() == spoken; });
+    return one == all.end() ? nullptr : *one;
+  };
+  const auto extruded = [&] { return qobject_cast<QSlider*>(field("Extruded by")); };
+  ASSERT_TRUE(extruded());
+  const int set = extruded()->value();
+  EXPECT_GT(set, 0);
+  sheet.list->setCurrentRow(-1);
+  ASSERT_TRUE(extruded());
+  EXPECT_FALSE(extruded()->isEnabled());
+  EXPECT_EQ(extruded()->value(), set);
+  // Another tool has its own form, with what the hand made by it last.
+  sheet.list->setCurrentRow(0);
+  QTest::keyClick(sheet.view, Qt::Key_7);
+  sheet.settle();
+  EXPECT_FALSE(extruded()) << "the form is still the drawing's";
+  auto* copy = qobject_cast<QComboBox*>(field("Copy"));
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->currentIndex(), 0);
+  sheet.pictureAtRest();
+  const double middle[3] = { 140.0, 180.0, 0.0 };
+  QTest::mouseDClick(sheet.view, Qt::LeftButton, Qt::NoModifier, sheet.seen(middle));
+  sheet.settle();
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  EXPECT_EQ(sheet.list->currentRow(), -1);
+  EXPECT_EQ(copy->currentIndex(), 1);
+  EXPECT_FALSE(copy->isEnabled());
 }
 
 TEST(Drawing, AnEmptyCanvasIsDrawnOn)

@@ -301,8 +301,8 @@ void MainWindow::setTool(Tool* tool)
     }
   }
   this->View->setTool(tool);
-  this->History->turnTo(tool->system());
   this->selectDrawing(tool);
+  this->History->turnTo(tool->system());
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
   this->Presets->setTool(tool);
