@@ -346,6 +346,50 @@ TEST(Part, ItsBoxGoesWithTheTool)
   }
 }
 
+// Wherever the model is seen from.
+TEST(Part, ItIsNoLargerThanTheModel)
+{
+  Sheet sheet;
+  const QString photo = sheet.folder.filePath("photo.png");
+  QImage large(3200, 2400, QImage::Format_RGB32);
+  large.fill(Qt::white);
+  ASSERT_TRUE(large.save(photo));
+  QApplication::setActiveWindow(&sheet.window);
+  QTest::keyClick(sheet.view, Qt::Key_3, Qt::ControlModifier);
+  sheet.settle();
+  // A model that was opened, in units of its own.
+  double box[6];
+  sheet.mesh()->GetBounds(box);
+  const double side = std::max(box[1] - box[0], box[3] - box[2]), deep = box[5] - box[4];
+  sheet.choose("Add a pict&ure as a part…", sheet.file);
+  ASSERT_EQ(sheet.session().nodes.size(), 1u);
+  const PartPlace opened = *sheet.step(0).part;
+  EXPECT_NEAR(opened.box[2] - opened.box[0], side, 1e-9 * side);
+  EXPECT_NEAR(opened.box[3] - opened.box[1], side * height / width, 1e-9 * side);
+  EXPECT_NEAR(opened.box[0] + opened.box[2], box[0] + box[1], 1e-9 * side);
+  sheet.line(ring({ 200, 150 }, 60));
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(oversketch_files::partsOf(sheet.mesh()).size(), 2u);
+  sheet.mesh()->GetBounds(box);
+  EXPECT_LT(box[5] - box[4], deep + side);
+  EXPECT_LT(box[3] - box[2], 1.5 * side);
+  // Over a picture of more pixels than the first one; and of fewer, which are counted as the first one's.
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  sheet.open();
+  sheet.line(beast());
+  sheet.choose("Add a pict&ure as a part…", photo);
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  const PartPlace drawn = *sheet.step(1).part;
+  EXPECT_NEAR(drawn.box[2] - drawn.box[0], width, 1e-9);
+  EXPECT_NEAR(drawn.box[3] - drawn.box[1], height, 1e-9);
+  ASSERT_TRUE(large.scaled(80, 60).save(photo));
+  sheet.choose("Add a pict&ure as a part…", photo);
+  const PartPlace small = *sheet.step(2).part;
+  EXPECT_NEAR(small.box[2] - small.box[0], 80.0, 1e-9);
+}
+
 TEST(Part, WhatIsNoPictureIsSaidAndAddsNothing)
 {
   Sheet sheet;
