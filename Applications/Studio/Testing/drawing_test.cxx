@@ -473,6 +473,57 @@ TEST(Drawing, ItsFormAndItsKeys)
     << listed.toStdString();
 }
 
+TEST(Drawing, ItsBackWearsAPictureOfItsOwn)
+{
+  Sheet sheet;
+  QAction *with = sheet.action("Picture of the &back…"),
+          *without = sheet.action("&Without a picture of the back");
+  EXPECT_FALSE(with->isEnabled()) << "there is no drawing";
+  sheet.open();
+  sheet.line(beast());
+  const std::string before = sheet.document->digest();
+  EXPECT_FALSE(without->isEnabled());
+  const QString path = sheet.folder.filePath("back.png");
+  QImage leaf(width, height, QImage::Format_RGB32);
+  leaf.fill(QColor(40, 170, 60));
+  ASSERT_TRUE(leaf.save(path));
+  sheet.choose(with->text(), path);
+  EXPECT_EQ(sheet.failure(), "");
+  const auto& inputs = [&]() -> const auto&
+  {
+    return sheet.step(0).inputs;
+  };
+  ASSERT_EQ(inputs().count("BackPicture"), 1u);
+  EXPECT_EQ(std::get<Image>(inputs().at("BackPicture")).name, "back.png");
+  EXPECT_EQ(oversketch_files::picturesOf(sheet.mesh()).size(), 2u);
+  const std::string both = sheet.document->digest();
+  EXPECT_NE(both, before);
+  EXPECT_EQ(replayed(sheet.session()), both);
+  // Seen from behind, and not from the front.
+  const auto green = [](const QImage& seen)
+  { return count(seen, [](const QColor& c) { return c.green() > 2 * c.red() && c.green() > 60; }); };
+  EXPECT_LT(green(sheet.pictureAtRest()), 200);
+  QTest::keyClick(sheet.view, Qt::Key_4, Qt::ControlModifier);
+  EXPECT_TRUE(
+    sheet.comes([&](const QImage& seen) { return green(seen) > seen.width() * seen.height() / 20; }));
+  // One step of undo each.
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), before);
+  EXPECT_FALSE(without->isEnabled());
+  QTest::keyClick(sheet.view, Qt::Key_Y, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
+  ASSERT_TRUE(without->isEnabled());
+  without->trigger();
+  sheet.settle();
+  EXPECT_EQ(inputs().count("BackPicture"), 0u);
+  EXPECT_EQ(sheet.document->digest(), before);
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
+}
+
 TEST(Drawing, AGreyFormHasTheValuesOfWhatIsShown)
 {
   Sheet sheet;
