@@ -222,11 +222,11 @@ std::shared_ptr<const Step> drawingOn(double width, double height)
   return step;
 }
 
-std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place)
+std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place, double unit)
 {
   auto step = std::make_shared<Step>(*drawingOver(picture));
   const std::array<double, 4> canvas = canvasOf(*step);
-  const double half[2] = { 0.5 * (canvas[2] - canvas[0]), 0.5 * (canvas[3] - canvas[1]) };
+  const double half[2] = { 0.5 * unit * (canvas[2] - canvas[0]), 0.5 * unit * (canvas[3] - canvas[1]) };
   step->part = { { place[0] - half[0], place[1] - half[1], place[0] + half[0], place[1] + half[1] },
     place[2] };
   return step;

@@ -55,8 +55,8 @@ vtkSmartPointer<vtkPolyData> withDepth(vtkPolyData* line, int depth, double heig
 // an empty canvas of that size. Throws oversketch_files::Failed for what is no picture.
 std::shared_ptr<const Step> drawingOver(const Image& picture);
 std::shared_ptr<const Step> drawingOn(double width, double height);
-// A step over a picture, as a part of its size, in its own units, about a place.
-std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place);
+// A step over a picture, as a part about a place; world units a px of the picture.
+std::shared_ptr<const Step> partOver(const Image& picture, const std::array<double, 3>& place, double unit);
 
 // The picture that a step's drawing is over; null where it is over none.
 const Image* pictureUnder(const Step& step);

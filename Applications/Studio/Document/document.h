@@ -66,7 +66,8 @@ public:
   bool beginDrawing(SharedStep step, const QString& name, const std::function<bool()>& mayLeave);
   bool beginDrawing(const std::function<bool()>& mayLeave);
   // A function that reads, on any thread, a further part of the model for add(): a drawing over a picture,
-  // before the middle of the model as it is now. Throws Failed for what is no picture.
+  // before the middle of the model as it is now. Its longer side is at most that of the first picture; on a
+  // model that was opened it is the model's. Throws Failed for what is no picture.
   std::function<ReadDrawing()> partReader(const QString& picture) const;
   // Opens what a crash left behind, read from its folder, as a session that is not saved.
   void recover(const oversketch_session::LeftBehind& left, Opened read);

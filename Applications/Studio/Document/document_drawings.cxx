@@ -70,24 +70,27 @@ std::function<Document::ReadDrawing()> Document::partReader(const QString& pictu
 {
   // On the model's surface; where there is none yet, over what is drawn on.
   std::optional<Point> place;
-  SharedStep first;
+  double side = 0.0; // as long as a model that was opened, whose units are no pixels
   if (this->Result.mesh && this->Result.mesh->GetNumberOfPoints() > 0)
   {
     double box[6];
     this->Result.mesh->GetBounds(box);
     place = { 0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]) };
     (*place)[2] = surfaceUnder(this->Result.mesh, *place);
+    side = this->session().mesh ? std::max(box[1] - box[0], box[3] - box[2]) : 0.0;
   }
-  else if (!this->session().nodes.empty())
-  {
-    first = this->session().nodes.front().step;
-  }
-  return [picture, place, first]
+  const bool isDrawn = !this->session().mesh && !this->session().nodes.empty();
+  const SharedStep first = isDrawn ? this->session().nodes.front().step : nullptr;
+  return [picture, place, side, first]
   {
     const auto canvas = first ? canvasOf(*first) : std::array<double, 4>{};
     const Point middle{ 0.5 * (canvas[0] + canvas[2]), 0.5 * (canvas[1] + canvas[3]), 0.0 };
     const ReadPicture read = readPicture(picture);
-    return ReadDrawing{ partOver(read.image, place ? *place : middle), read.decoded };
+    const int* size = read.decoded->pixels->GetDimensions();
+    const double own = std::max(size[0], size[1]);
+    const double room = std::max(canvas[2] - canvas[0], canvas[3] - canvas[1]);
+    const double length = side > 0.0 ? side : room > 0.0 ? std::min(own, room) : own;
+    return ReadDrawing{ partOver(read.image, place ? *place : middle, length / own), read.decoded };
   };
 }
 

@@ -101,6 +101,15 @@ HistoryPanel::HistoryPanel(Document* document, QWidget* parent)
         isSelected && !this->Filling ? Qt::DirectConnection : Qt::QueuedConnection);
     });
   connect(this->Form, &StepPanel::keysLeft, this, &HistoryPanel::keysLeft);
+  this->Form->unselected = [this](const std::string& system) -> const Step*
+  {
+    int last = this->OpenDocument->isOpen() ? this->OpenDocument->shownTo() - 1 : -1;
+    while (last >= 0 && !this->OpenDocument->isOf(last, system))
+    {
+      --last;
+    }
+    return last < 0 ? nullptr : this->OpenDocument->nodeAt(last)->step.get();
+  };
   this->refresh();
 }
 

@@ -91,6 +91,7 @@ StepPanel::StepPanel(QWidget* parent)
 void StepPanel::addPage(const SystemRow& row)
 {
   Page page;
+  page.system = row.name;
   // A small window scrolls a form that has many rows.
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -300,17 +301,18 @@ void StepPanel::show(const Step* step)
   {
     return;
   }
+  const Step* seen = step || !this->unselected ? step : this->unselected(this->Shown->system);
   for (const Field& field : this->Shown->fields)
   {
     field.widget->setEnabled(step != nullptr);
-    field.write(field.widget, step ? valueOf(*step, *field.parameter) : field.parameter->initial);
-    if (auto* number = step ? nullptr : qobject_cast<QDoubleSpinBox*>(field.widget))
+    field.write(field.widget, seen ? valueOf(*seen, *field.parameter) : field.parameter->initial);
+    if (auto* number = seen ? nullptr : qobject_cast<QDoubleSpinBox*>(field.widget))
     {
       number->clear(); // the system's word for its own choice says nothing
     }
   }
   this->StepValues = step ? step->values : Values();
-  this->StepMirror = step && step->mirror ? step->mirror->axis + 1 : 0;
+  this->StepMirror = seen && seen->mirror ? seen->mirror->axis + 1 : 0;
   if (this->Shown->mirror)
   {
     this->Shown->mirror->setEnabled(step != nullptr);

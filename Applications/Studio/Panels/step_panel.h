@@ -27,6 +27,8 @@ public:
 
   // Null: no step is selected; the form that was last seen stays, and can do nothing.
   void show(const oversketch_session::Step* step);
+  // Finds the step of a system whose values the form has then; null: none.
+  std::function<const oversketch_session::Step*(const std::string& system)> unselected;
   // While none is: the form of a system that the hand now makes steps of.
   void turnTo(const std::string& system);
   // The choice of a mirror plane: none, x, y, z. Its index is what Document::mirrorPlane takes.
@@ -53,6 +55,7 @@ private:
   };
   struct Page
   {
+    std::string system;
     QWidget* widget = nullptr;
     std::vector<Field> fields;
     QComboBox* mirror = nullptr;

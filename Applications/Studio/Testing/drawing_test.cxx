@@ -6,6 +6,7 @@
 #include "mesh_file.h"
 #include "message_text.h"
 #include "sheet.h"
+#include "step_panel.h"
 #include "texture.h"
 #include "tool.h"
 
@@ -17,8 +18,10 @@
 #include "vtkPointData.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QSplitter>
 
 #include <algorithm>
@@ -468,6 +471,100 @@ TEST(Drawing, ItsFormAndItsKeys)
   const QString listed = QString::fromUtf8(sheet.view->camera()->GetKeyList());
   EXPECT_TRUE(listed.contains("\nF4 ") && listed.contains("\nV ") && listed.contains("In the picture:\n"))
     << listed.toStdString();
+}
+
+TEST(Drawing, ItsBackWearsAPictureOfItsOwn)
+{
+  Sheet sheet;
+  QAction *with = sheet.action("Picture of the &back…"),
+          *without = sheet.action("&Without a picture of the back");
+  EXPECT_FALSE(with->isEnabled()) << "there is no drawing";
+  sheet.open();
+  sheet.line(beast());
+  const std::string before = sheet.document->digest();
+  EXPECT_FALSE(without->isEnabled());
+  const QString path = sheet.folder.filePath("back.png");
+  QImage leaf(width, height, QImage::Format_RGB32);
+  leaf.fill(QColor(40, 170, 60));
+  ASSERT_TRUE(leaf.save(path));
+  sheet.choose(with->text(), path);
+  EXPECT_EQ(sheet.failure(), "");
+  const auto& inputs = [&]() -> const auto&
+  {
+    return sheet.step(0).inputs;
+  };
+  ASSERT_EQ(inputs().count("BackPicture"), 1u);
+  EXPECT_EQ(std::get<Image>(inputs().at("BackPicture")).name, "back.png");
+  EXPECT_EQ(oversketch_files::picturesOf(sheet.mesh()).size(), 2u);
+  const std::string both = sheet.document->digest();
+  EXPECT_NE(both, before);
+  EXPECT_EQ(replayed(sheet.session()), both);
+  // Seen from behind, and not from the front.
+  const auto green = [](const QImage& seen)
+  { return count(seen, [](const QColor& c) { return c.green() > 2 * c.red() && c.green() > 60; }); };
+  EXPECT_LT(green(sheet.pictureAtRest()), 200);
+  QTest::keyClick(sheet.view, Qt::Key_4, Qt::ControlModifier);
+  EXPECT_TRUE(
+    sheet.comes([&](const QImage& seen) { return green(seen) > seen.width() * seen.height() / 20; }));
+  // One step of undo each.
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), before);
+  EXPECT_FALSE(without->isEnabled());
+  QTest::keyClick(sheet.view, Qt::Key_Y, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
+  ASSERT_TRUE(without->isEnabled());
+  without->trigger();
+  sheet.settle();
+  EXPECT_EQ(inputs().count("BackPicture"), 0u);
+  EXPECT_EQ(sheet.document->digest(), before);
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  EXPECT_EQ(sheet.document->digest(), both);
+}
+
+TEST(Drawing, AGreyFormHasTheValuesOfWhatIsShown)
+{
+  Sheet sheet;
+  sheet.open();
+  sheet.line(beast());
+  Values values = sheet.step(0).values;
+  values["ExtrudeDepth"] = 65.0;
+  sheet.document->setParameters(0, values, std::nullopt);
+  sheet.settle();
+  auto* form = sheet.window.findChild<StepPanel*>();
+  const auto field = [form](const char* spoken) -> QWidget*
+  {
+    const auto all = form->currentWidget()->findChildren<QWidget*>();
+    const auto one = std::find_if(
+      all.begin(), all.end(), [spoken](QWidget* widget) { return widget->accessibleName() == spoken; });
+    return one == all.end() ? nullptr : *one;
+  };
+  const auto extruded = [&] { return qobject_cast<QSlider*>(field("Extruded by")); };
+  ASSERT_TRUE(extruded());
+  const int set = extruded()->value();
+  EXPECT_GT(set, 0);
+  sheet.list->setCurrentRow(-1);
+  ASSERT_TRUE(extruded());
+  EXPECT_FALSE(extruded()->isEnabled());
+  EXPECT_EQ(extruded()->value(), set);
+  // Another tool has its own form, with what the hand made by it last.
+  sheet.list->setCurrentRow(0);
+  QTest::keyClick(sheet.view, Qt::Key_7);
+  sheet.settle();
+  EXPECT_FALSE(extruded()) << "the form is still the drawing's";
+  auto* copy = qobject_cast<QComboBox*>(field("Copy"));
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(copy->currentIndex(), 0);
+  sheet.pictureAtRest();
+  const double middle[3] = { 140.0, 180.0, 0.0 };
+  QTest::mouseDClick(sheet.view, Qt::LeftButton, Qt::NoModifier, sheet.seen(middle));
+  sheet.settle();
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  EXPECT_EQ(sheet.list->currentRow(), -1);
+  EXPECT_EQ(copy->currentIndex(), 1);
+  EXPECT_FALSE(copy->isEnabled());
 }
 
 TEST(Drawing, AnEmptyCanvasIsDrawnOn)

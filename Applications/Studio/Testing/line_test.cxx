@@ -270,6 +270,36 @@ TEST(Line, OptionsAreThoseOfTheRedLine)
   EXPECT_EQ(scene.document->digest(), replayed(scene.document->session()));
 }
 
+TEST(Line, AMinusBeforeItsHeightCarves)
+{
+  LineScene scene;
+  scene.line();
+  auto* height = scene.window.findChild<QDoubleSpinBox*>("augment_height");
+  auto* direction = scene.window.findChild<QComboBox*>("augment_direction");
+  const double typed = 0.02 * scene.diagonal(), least = 1e-3 * scene.diagonal();
+  const auto type = [&](const QString& text)
+  {
+    height->selectAll();
+    QTest::keyClicks(height, text);
+    QTest::keyClick(height, Qt::Key_Return);
+    scene.wait();
+  };
+  type(height->textFromValue(-typed));
+  EXPECT_NEAR(scene.number(0, "Height"), -typed, least);
+  EXPECT_EQ(direction->currentIndex(), 1);
+  EXPECT_NEAR(height->value(), typed, least) << "the direction says it";
+  EXPECT_EQ(scene.failures(), "");
+  // Carved it stays until the direction is another; nothing is the least height, not the system's word.
+  type(height->textFromValue(0.5 * typed));
+  EXPECT_NEAR(scene.number(0, "Height"), -0.5 * typed, least);
+  type("0");
+  EXPECT_LT(scene.number(0, "Height"), -0.5 * least);
+  direction->setCurrentIndex(0);
+  emit direction->activated(0);
+  scene.wait();
+  EXPECT_GT(scene.number(0, "Height"), 0.0);
+}
+
 TEST(Line, ItsProfileIsDrawn)
 {
   LineScene scene;

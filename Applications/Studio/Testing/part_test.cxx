@@ -13,7 +13,6 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 
-#include <QLineEdit>
 #include <QProgressDialog>
 #include <QPushButton>
 #include <QThreadPool>
@@ -75,26 +74,7 @@ struct Desk : Sheet
   {
     this->open();
     this->line(beast());
-    this->answering([this] { this->action("Add a pict&ure as a part…")->trigger(); });
-  }
-  void answering(const std::function<void()>& ask)
-  {
-    QTimer timer;
-    QObject::connect(&timer,
-      &QTimer::timeout,
-      [this]
-      {
-        if (QWidget* dialog = QApplication::activeModalWidget())
-        {
-          auto* name = dialog->findChild<QLineEdit*>();
-          ASSERT_TRUE(name);
-          name->setText(this->file);
-          QTest::keyClick(name, Qt::Key_Return);
-        }
-      });
-    timer.start(100);
-    ask();
-    this->settle();
+    this->choose("Add a pict&ure as a part…", this->file);
   }
   const std::optional<PartPlace>& part() { return this->step(1).part; }
   // Where a handle is, as Qt counts.
@@ -343,6 +323,71 @@ TEST(Part, ItsHandlesPutItElsewhereAndOneDragIsOneStepOfUndo)
   desk.drag(PartHandle::Depth, 2 * (desk.handle(PartHandle::Depth) - desk.handle(PartHandle::Middle)) / 3);
   EXPECT_GT(desk.part()->depth, nearer.depth);
   EXPECT_EQ(desk.part()->box, nearer.box);
+}
+
+TEST(Part, ItsBoxGoesWithTheTool)
+{
+  Desk desk;
+  desk.line(ring({ 200, 150 }, 60));
+  const auto orange = [&]
+  {
+    return count(desk.pictureAtRest(),
+      [](const QColor& c) { return c.red() > 230 && std::abs(c.green() - 158) < 12 && c.blue() < 80; });
+  };
+  EXPECT_GT(orange(), 40) << "no handle";
+  for (const Qt::Key other : { Qt::Key_7, Qt::Key_D, Qt::Key_B })
+  {
+    QTest::keyClick(desk.view, other);
+    desk.settle();
+    EXPECT_LT(orange(), 10) << static_cast<char>(other);
+    QTest::keyClick(desk.view, Qt::Key_G);
+    desk.settle();
+    EXPECT_GT(orange(), 40) << "gone for good";
+  }
+}
+
+// Wherever the model is seen from.
+TEST(Part, ItIsNoLargerThanTheModel)
+{
+  Sheet sheet;
+  const QString photo = sheet.folder.filePath("photo.png");
+  QImage large(3200, 2400, QImage::Format_RGB32);
+  large.fill(Qt::white);
+  ASSERT_TRUE(large.save(photo));
+  QApplication::setActiveWindow(&sheet.window);
+  QTest::keyClick(sheet.view, Qt::Key_3, Qt::ControlModifier);
+  sheet.settle();
+  // A model that was opened, in units of its own.
+  double box[6];
+  sheet.mesh()->GetBounds(box);
+  const double side = std::max(box[1] - box[0], box[3] - box[2]), deep = box[5] - box[4];
+  sheet.choose("Add a pict&ure as a part…", sheet.file);
+  ASSERT_EQ(sheet.session().nodes.size(), 1u);
+  const PartPlace opened = *sheet.step(0).part;
+  EXPECT_NEAR(opened.box[2] - opened.box[0], side, 1e-9 * side);
+  EXPECT_NEAR(opened.box[3] - opened.box[1], side * height / width, 1e-9 * side);
+  EXPECT_NEAR(opened.box[0] + opened.box[2], box[0] + box[1], 1e-9 * side);
+  sheet.line(ring({ 200, 150 }, 60));
+  EXPECT_EQ(sheet.failure(), "");
+  EXPECT_EQ(oversketch_files::partsOf(sheet.mesh()).size(), 2u);
+  sheet.mesh()->GetBounds(box);
+  EXPECT_LT(box[5] - box[4], deep + side);
+  EXPECT_LT(box[3] - box[2], 1.5 * side);
+  // Over a picture of more pixels than the first one; and of fewer, which are counted as the first one's.
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  QTest::keyClick(sheet.view, Qt::Key_Z, Qt::ControlModifier);
+  sheet.settle();
+  sheet.open();
+  sheet.line(beast());
+  sheet.choose("Add a pict&ure as a part…", photo);
+  ASSERT_EQ(sheet.session().nodes.size(), 2u);
+  const PartPlace drawn = *sheet.step(1).part;
+  EXPECT_NEAR(drawn.box[2] - drawn.box[0], width, 1e-9);
+  EXPECT_NEAR(drawn.box[3] - drawn.box[1], height, 1e-9);
+  ASSERT_TRUE(large.scaled(80, 60).save(photo));
+  sheet.choose("Add a pict&ure as a part…", photo);
+  const PartPlace small = *sheet.step(2).part;
+  EXPECT_NEAR(small.box[2] - small.box[0], 80.0, 1e-9);
 }
 
 TEST(Part, WhatIsNoPictureIsSaidAndAddsNothing)

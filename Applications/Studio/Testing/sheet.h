@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
 #include <QPainter>
@@ -129,6 +130,26 @@ struct Sheet : Scene
       this->pad, 0, static_cast<int>(places.size()) - 1, [&](int i) { return this->onPad(places[i]); }, held);
     send(QEvent::MouseButtonRelease, places.back(), Qt::LeftButton);
     this->settle();
+  }
+  // Triggers an action that asks for a file, and types its name.
+  void choose(const QString& entry, const QString& path)
+  {
+    QTimer timer;
+    QObject::connect(&timer,
+      &QTimer::timeout,
+      [path]
+      {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (auto* name = dialog ? dialog->findChild<QLineEdit*>() : nullptr)
+        {
+          name->setText(path);
+          QTest::keyClick(name, Qt::Key_Return);
+        }
+      });
+    timer.start(100);
+    this->action(entry)->trigger();
+    this->settle();
+    QApplication::setActiveWindow(&this->window); // no longer the one that asked
   }
   void click(const QPointF& place)
   {

@@ -3,6 +3,7 @@
 // lists them.
 #include "evaluator.h"
 #include "files.h"
+#include "lesson.h"
 #include "mesh_file.h"
 #include "profile_editor.h"
 #include "scene.h"
@@ -14,9 +15,13 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QFile>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMenu>
+#include <QMenuBar>
 #include <QPainter>
 #include <QPointF>
 #include <QProcess>
@@ -87,12 +92,23 @@ struct Newcomer : Scene
   // A key that asks for a file, its name, Return.
   void file(Qt::Key key, const QString& path)
   {
+    this->answering(path, [&] { this->key(key, Qt::ControlModifier); });
+  }
+  // A question for a number takes the one that is there, by Return.
+  void answering(const QString& path, const std::function<void()>& ask)
+  {
     bool answered = false;
     QTimer timer;
     QObject::connect(&timer,
       &QTimer::timeout,
       [&]
       {
+        if (auto* number = qobject_cast<QInputDialog*>(QApplication::activeModalWidget()))
+        {
+          ++this->actions;
+          QTest::keyClick(number, Qt::Key_Return);
+          return;
+        }
         auto* dialogue = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
         auto* name = dialogue ? dialogue->findChild<QLineEdit*>() : nullptr;
         if (!name)
@@ -108,9 +124,27 @@ struct Newcomer : Scene
         QTest::keyClick(name, Qt::Key_Return);
       });
     timer.start(50);
-    this->key(key, Qt::ControlModifier);
+    ask();
     EXPECT_TRUE(answered) << "no dialogue";
     QApplication::setActiveWindow(&this->window); // there is no window manager that would
+  }
+  // Menus and an entry, a click each.
+  void menu(const QStringList& path)
+  {
+    QWidget* at = this->window.menuBar();
+    for (const QString& text : path)
+    {
+      const auto all = at->actions();
+      const auto one = std::find_if(
+        all.begin(), all.end(), [&](QAction* entry) { return entry->text().remove('&').startsWith(text); });
+      ASSERT_NE(one, all.end()) << text.toStdString();
+      auto* menu = qobject_cast<QMenu*>(at);
+      this->click(at,
+        menu ? menu->actionGeometry(*one).center() : this->window.menuBar()->actionGeometry(*one).center());
+      QMenu* next = (*one)->menu();
+      ASSERT_TRUE(!next || QTest::qWaitFor([next] { return next->isVisible(); }, 60000));
+      at = next;
+    }
   }
   // The choice is opened by one click, taken by another.
   void choose(QComboBox* among, int row)
@@ -440,4 +474,25 @@ TEST(Tasks, ASilhouetteIsAModelInFourActions)
   hand.key(Qt::Key_F);
   EXPECT_TRUE(worn && !worn->isChecked());
   hand.did("See the form without the picture", 1);
+}
+
+TEST(Tasks, AFilmAndALessonTakeFewActions)
+{
+  Newcomer hand;
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("dog.ogv");
+  hand.answering(path, [&] { hand.menu({ "File", "Turntable" }); });
+  QFile film(path);
+  ASSERT_TRUE(film.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(film.readAll().startsWith("OggS"));
+  hand.did("A film of it on a turntable", 5);
+
+  const Lesson lesson = lessons().front();
+  hand.menu({ "Help", "Lessons", QString(lesson.title).remove('&') });
+  auto* player = hand.window.findChild<LessonPlayer*>();
+  ASSERT_TRUE(player->isPlaying());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return player->words() == lesson.done; }, 240000)) << "nothing is drawn";
+  hand.did("Be shown how it is done", 3);
+  QTest::mouseClick(&hand.window, Qt::LeftButton, Qt::NoModifier, QPoint(2, 2));
+  EXPECT_FALSE(player->isPlaying());
 }

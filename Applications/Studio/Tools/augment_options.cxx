@@ -59,7 +59,8 @@ AugmentOptions::AugmentOptions(QWidget* parent)
   add(this->HeightBox,
     "augment_height",
     tr("Height"),
-    tr("How high or deep it is on the line, in lengths of the model (Shift + wheel)"));
+    tr("How high or deep it is on the line, in lengths of the model; with a minus it is carved (Shift + "
+       "wheel)"));
   add(this->Pressure,
     "augment_pressure",
     tr("Pressure is height"),
@@ -91,7 +92,8 @@ AugmentOptions::AugmentOptions(QWidget* parent)
     this,
     [this](double height)
     {
-      this->Height = std::copysign(height, this->Height);
+      const double size = std::max(std::abs(height), this->RadiusBox->minimum());
+      this->Height = std::copysign(size, height < 0.0 ? height : this->Height);
       this->changed(this->HeightBox, this->BoxTime);
     });
   connect(this->Pressure, &QCheckBox::clicked, this, &AugmentOptions::chosen);
@@ -108,6 +110,7 @@ void AugmentOptions::begin(double diagonal)
   const QSignalBlocker quiet(this->RadiusBox), silent(this->HeightBox);
   this->RadiusBox->begin(diagonal);
   this->HeightBox->begin(diagonal);
+  this->HeightBox->setMinimum(-this->diagonal()); // a minus carves
   this->Radius = ownRadius * this->diagonal();
   this->Height = 0.0;
   this->refresh();

@@ -110,6 +110,7 @@ void PartHandles::show(const std::optional<PartPlace>& place)
     return;
   }
   this->Place = place;
+  this->follow(); // no frame follows once the tool is put down
   this->View->renderSoon();
 }
 

@@ -11,6 +11,7 @@
 #include "status_labels.h"
 #include "step_lines.h"
 #include "stroke_lines.h"
+#include "systems.h"
 #include "tools.h"
 #include "view_menu.h"
 #include "viewport.h"
@@ -301,8 +302,8 @@ void MainWindow::setTool(Tool* tool)
     }
   }
   this->View->setTool(tool);
-  this->History->turnTo(tool->system());
   this->selectDrawing(tool);
+  this->History->turnTo(tool->system());
   this->ToolActions[at]->setChecked(true);
   this->Options->setCurrentIndex(at);
   this->Presets->setTool(tool);
@@ -391,7 +392,7 @@ void MainWindow::select(int node)
   this->showSection(node);
   this->offerStep();
   this->chooseLine();
-  this->advise();
+  this->refresh();
 }
 
 void MainWindow::showSection(int node)
@@ -520,6 +521,13 @@ void MainWindow::refresh()
   // A drawing without lines has no mesh.
   this->Export->setEnabled(open && (this->OpenDocument->result().mesh || this->OpenDocument->session().mesh));
   this->Turntable->setEnabled(this->Export->isEnabled());
+  if (this->Back)
+  {
+    const Node* drawing = this->OpenDocument->nodeAt(this->drawingMeant());
+    this->Back->setEnabled(drawing);
+    this->NoBack->setEnabled(
+      drawing && drawing->step->inputs.count(findSystem(drawingSystem)->backTextureInput) > 0);
+  }
   this->setWindowModified(this->OpenDocument->isModified());
   this->setWindowTitle(open ? tr("%1[*] - Oversketch").arg(this->OpenDocument->name()) : tr("Oversketch"));
   if (!this->OpenDocument->isBusy())

@@ -127,6 +127,9 @@ private:
   QString pictureAsked(const QString& title);
   void newFromPictureAsked();
   void addPartAsked();
+  int drawingMeant() const; // the one that was selected last, else the first one; -1: none
+  void addBackAsked();
+  void setBack(const oversketch_session::Image* image); // of that one; null takes it away
   void addPicture(const QString& path);
   void addPictureAsked();
 
@@ -205,7 +208,7 @@ private:
   QMenu *Recent = nullptr, *Examples = nullptr;
   OptionPresets* Presets = nullptr;
   QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Turntable = nullptr,
-          *Dark = nullptr, *Region = nullptr;
+          *Dark = nullptr, *Region = nullptr, *Back = nullptr, *NoBack = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
   int Redrawn = -1;                        // the step that the next one replaces

@@ -71,6 +71,9 @@ void MainWindow::makeMenus()
       tr("Add a pict&ure as a part…"),
       QKeySequence(tr("Ctrl+Shift+P")),
       [this] { this->addPartAsked(); });
+    this->Back = this->add(file, tr("Picture of the &back…"), {}, [this] { this->addBackAsked(); });
+    this->NoBack =
+      this->add(file, tr("&Without a picture of the back"), {}, [this] { this->setBack(nullptr); });
   }
   this->Recent = file->addMenu(tr("Open &recent"));
   connect(this->Recent, &QMenu::aboutToShow, this, &MainWindow::fillRecent);

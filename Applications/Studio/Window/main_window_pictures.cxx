@@ -5,11 +5,15 @@
 #include "history_panel.h"
 #include "picture_files.h"
 #include "status_labels.h"
+#include "systems.h"
+#include "tool.h"
 #include "viewport.h"
 
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
+
+#include <algorithm>
 
 namespace oversketch_studio
 {
@@ -97,6 +101,38 @@ void MainWindow::addPartAsked()
       this->History->selectStep(part);
       this->setTool(this->toolOf(part));
     });
+}
+
+int MainWindow::drawingMeant() const
+{
+  const auto drawing = std::find_if(
+    this->Tools.begin(), this->Tools.end(), [](const Tool* tool) { return tool->system() == drawingSystem; });
+  return drawing == this->Tools.end() ? -1 : (*drawing)->node();
+}
+
+void MainWindow::addBackAsked()
+{
+  const QString path = this->pictureAsked(tr("The drawing's back, as seen from behind"));
+  if (!path.isEmpty())
+  {
+    this->readAside(
+      QFileInfo(path).fileName(),
+      [path] { return readPicture(path); },
+      [this](const ReadPicture& read) { this->setBack(&read.image); });
+  }
+}
+
+void MainWindow::setBack(const Image* image)
+{
+  const int at = this->drawingMeant();
+  const std::string& back = findSystem(drawingSystem)->backTextureInput;
+  Step step = *this->OpenDocument->nodeAt(at)->step;
+  step.inputs.erase(back);
+  if (image)
+  {
+    step.inputs[back] = *image;
+  }
+  this->OpenDocument->redraw(at, step);
 }
 
 void MainWindow::addPictureAsked()
