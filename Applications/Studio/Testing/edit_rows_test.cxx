@@ -124,7 +124,7 @@ TEST(EditRows, AnEarlierOneIsChangedAndTheLaterFollow)
   scene.drawBoth();
   scene.keysWaitForTheHand();
   scene.nothingGoesIntoAnotherRow();
-  scene.drag(Edits::straight(scene.middle, scene.middle - QPoint(0, 25)));
+  scene.drag(Edits::straight(scene.middle, scene.middle - QPoint(0, 18)));
   ASSERT_EQ(scene.failures(), "");
   scene.press(Qt::Key_Return);
   // Another one on the same body, which is last.
