@@ -469,7 +469,7 @@ TEST(Drawing, ItsFormAndItsKeys)
   QTest::keyClick(&sheet.window, Qt::Key_F4);
   EXPECT_TRUE(magnetic->isChecked());
   const QString listed = QString::fromUtf8(sheet.view->camera()->GetKeyList());
-  EXPECT_TRUE(listed.contains("\nF4 ") && listed.contains("\nV ") && listed.contains("In the picture:\n"))
+  EXPECT_TRUE(listed.contains("\nF4, V ") && listed.contains("\nF5 ") && listed.contains("In the picture:\n"))
     << listed.toStdString();
 }
 
