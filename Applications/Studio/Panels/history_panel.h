@@ -86,7 +86,7 @@ private:
   void showStep();
   // The id of a step by its place; -1 of none.
   int idOf(int node) const;
-  // Of a step; of a line of it, where that is not -1.
+  // Values of a step, or of its line where that is not -1.
   void setParameters(int id, int line, const oversketch_session::Values& values, int mirror);
   // The step that keys change: the selected one, else the last; -1 where there is none.
   int changed() const;

@@ -14,7 +14,7 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr const char* rowName = "Line"; // that nobody reads
+constexpr const char* rowName = "Line"; // nobody reads it
 
 Parameter choiceOf(const char* property, const char* title, const char* help, std::vector<Choice> choices)
 {

@@ -14,10 +14,10 @@ namespace oversketch_studio
 // Depth, height, cross-section.
 const oversketch_session::SystemRow& lineRow();
 
-// What a line says.
+// Makes a step of what a line says.
 oversketch_session::Step lineStep(vtkPolyData* line);
 
-// A copy of a line that says the values of such a step.
+// Copies a line with the values of such a step.
 vtkSmartPointer<vtkPolyData> withLineValues(vtkPolyData* line, const oversketch_session::Values& values);
 
 } // namespace oversketch_studio

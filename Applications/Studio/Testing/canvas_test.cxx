@@ -22,7 +22,7 @@
 
 using namespace oversketch_studio;
 
-// What is seen across the smaller side is seen again, in a view that has become narrower.
+// The view becomes narrower: the smaller side of what it shows stays whole.
 TEST(Drawing, AnEnlargedPictureIsFitted)
 {
   DrawingPad pad;
@@ -99,7 +99,7 @@ TEST(Drawing, ALineOverALargePictureDoesNotLag)
     worked.push_back(1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
   }
   EXPECT_EQ(frames, 100);
-  // What has come meanwhile is one frame.
+  // One frame shows all that has come meanwhile.
   for (int i = 101; i <= 120; ++i)
   {
     moveMouse(&pad, at(i));

@@ -135,7 +135,7 @@ struct DepthSheet : Sheet
       this->settle();
     }
   }
-  // Of the picture's lines, those of layers.
+  // Lines of layers, among those of the picture.
   int purple()
   {
     return count(this->pad->grabFramebuffer(),
@@ -234,7 +234,7 @@ TEST(Depth, LaterRowsLieFurtherOutAndAreDragged)
   EXPECT_LT(middleOf(after[2]), middleOf(after[1]));
   const std::string dragged = sheet.document->digest();
   EXPECT_EQ(dragged, replayed(sheet.session()));
-  // The same by keys, there and back.
+  // Keys move it there and back.
   QTest::keyClick(&sheet.window, Qt::Key_Down, Qt::ControlModifier);
   sheet.settle();
   EXPECT_EQ(sheet.list->currentRow(), 3);
@@ -306,7 +306,7 @@ TEST(Depth, TheFormOfALineSetsDepthHeightAndCrossSection)
 TEST(Depth, ALineThatIsRedrawnKeepsIt)
 {
   DepthSheet sheet;
-  // What lies over nothing is said of the line as the rows call it.
+  // The remark on a line over nothing calls it as the rows do.
   sheet.line(ring({ 360, 60 }, 20));
   sheet.deepen();
   EXPECT_TRUE(sheet.advice->text().startsWith("Line 2 lies over nothing"))

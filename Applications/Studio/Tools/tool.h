@@ -57,7 +57,7 @@ public:
   virtual QString advice(const Situation& situation) const = 0;
   // Says what can be done about a step of its system of which something is to be said.
   virtual QString remedy() const { return tr("Ctrl+Z undoes."); }
-  // What a step of its system has to say, in words.
+  // Words for what a step of its system has to say.
   virtual QString words(const oversketch::Message& message) const { return briefWords(message); }
   // A stage of its system's, in words.
   virtual QString stage(const QString& name) const { return name; }

@@ -125,8 +125,13 @@ void MainWindow::addBackAsked()
 void MainWindow::setBack(const Image* image)
 {
   const int at = this->drawingMeant();
+  const Node* drawing = this->OpenDocument->nodeAt(at);
+  if (!drawing)
+  {
+    return; // it went while the picture was read
+  }
   const std::string& back = findSystem(drawingSystem)->backTextureInput;
-  Step step = *this->OpenDocument->nodeAt(at)->step;
+  Step step = *drawing->step;
   step.inputs.erase(back);
   if (image)
   {
