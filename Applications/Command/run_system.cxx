@@ -2,6 +2,7 @@
 
 #include "json_files.h"
 #include "mesh_file.h"
+#include "models.h"
 #include "option_names.h"
 #include "option_values.h"
 #include "picture.h"
@@ -288,6 +289,15 @@ Session sessionOf(const Options& options, Notes& notes)
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);
+    for (const SystemInput& further : options.system->inputs)
+    {
+      const std::string& path = options.inputs.at(further.name);
+      if (further.kind == SystemInput::Kind::Mesh && further.optional && !path.empty())
+      {
+        const auto other = readMesh(path, notes);
+        session.mesh = joined({ session.mesh.Get(), other.Get() }); // a step holds no mesh
+      }
+    }
     multiplyShares(options, session.mesh.Get(), step->values);
     addPhrases(options, session.mesh.Get(), step->values);
   }
