@@ -209,28 +209,32 @@ void measureWalls(const std::shared_ptr<const Mesh>& mesh,
   const double nothing = 1e-12 * surface.diagonal(); // how far a sheet of no thickness is off
   const auto bounds = [&](int own, int other)
   { return other >= 0 && (other == own || check.bodies[own].isHollow || check.bodies[other].isHollow); };
-  context.eachUntilCancelled(mesh->triangleCount(),
-    [&](int t)
+  const auto measure = [&](int t)
+  {
+    const Triangle& corners = mesh->triangles[t];
+    const Vector3 inward = -facetNormal(*mesh, t);
+    if (bodies[t] < 0 || inward.isZero())
     {
-      const Triangle& corners = mesh->triangles[t];
-      const Vector3 inward = -facetNormal(*mesh, t);
-      if (bodies[t] < 0 || inward.isZero())
+      return;
+    }
+    const Vector3 middle =
+      (mesh->points[corners[0]] + mesh->points[corners[1]] + mesh->points[corners[2]]) / 3.0;
+    for (const SurfaceHit& hit : surface.all({ middle, inward }))
+    {
+      if (hit.distance >= -nothing && bounds(bodies[t], bodies[hit.at.triangle]) &&
+          facetNormal(*mesh, hit.at.triangle).dot(inward) > 0.0)
       {
+        check.walls[t] = hit.distance > nothing ? hit.distance : 0.0;
         return;
       }
-      const Vector3 middle =
-        (mesh->points[corners[0]] + mesh->points[corners[1]] + mesh->points[corners[2]]) / 3.0;
-      for (const SurfaceHit& hit : surface.all({ middle, inward }))
-      {
-        if (hit.distance >= -nothing && bounds(bodies[t], bodies[hit.at.triangle]) &&
-            facetNormal(*mesh, hit.at.triangle).dot(inward) > 0.0)
-        {
-          check.walls[t] = hit.distance > nothing ? hit.distance : 0.0;
-          return;
-        }
-      }
-    });
-  context.checkpoint(1.0);
+    }
+  };
+  constexpr int block = 100000; // faces between two looks for a cancel
+  for (int begin = 0; begin < mesh->triangleCount(); begin += block)
+  {
+    context.each(std::min(block, mesh->triangleCount() - begin), [&](int i) { measure(begin + i); });
+    context.checkpoint(0.6 + 0.4 * std::min(1.0, (begin + block) / double(mesh->triangleCount())));
+  }
   for (const double wall : check.walls)
   {
     const bool isLess = wall >= 0.0 && (check.leastWall < 0.0 || wall < check.leastWall);

@@ -118,6 +118,8 @@ private:
   void exportModel(int model, int part, const QString& name);
   // As one mesh; of it that part, or -1 all.
   void exportMeshes(const ExactResults& results, int part, const QString& name);
+  void printAsked();
+  void writePrint(const vtkSmartPointer<vtkPolyData>& mesh);
   void screenshot(bool lines);
   void turntableAsked();
   // Whether what is not saved may be left.
@@ -207,8 +209,8 @@ private:
   QTimer* BusyTimer; // progress is shown for what takes longer than a moment
   QMenu *Recent = nullptr, *Examples = nullptr;
   OptionPresets* Presets = nullptr;
-  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Turntable = nullptr,
-          *Dark = nullptr, *Region = nullptr, *Back = nullptr, *NoBack = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Print = nullptr,
+          *Turntable = nullptr, *Dark = nullptr, *Region = nullptr, *Back = nullptr, *NoBack = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
   int Redrawn = -1;                        // the step that the next one replaces
