@@ -1,6 +1,5 @@
 #include "vtkOversketchPrintCheck.h"
 
-#include "Print/print_check.h"
 #include "vtkOversketchKept.h"
 #include "vtkOversketchSharedMesh.h"
 
@@ -14,18 +13,25 @@
 
 using namespace oversketch;
 
-struct vtkOversketchPrintCheck::Last
+namespace
 {
-  const PrintCheck* Found = nullptr; // of what is kept
-};
+
+const PrintCheck nothingFound;
+
+} // namespace
 
 vtkStandardNewMacro(vtkOversketchPrintCheck);
+
+vtkOversketchPrintCheck::vtkOversketchPrintCheck()
+  : Last(&nothingFound)
+{
+}
 
 int vtkOversketchPrintCheck::RequestData(vtkInformation* request,
   vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
-  this->Kept<Last>().Found = nullptr;
+  this->Last = &nothingFound;
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
@@ -39,84 +45,17 @@ void vtkOversketchPrintCheck::Execute(vtkInformationVector** inputs, vtkInformat
   output->ShallowCopy(input);
   output->GetCellData()->AddArray(ArrayOf<vtkDoubleArray>("Wall", found.walls));
   output->GetCellData()->AddArray(ArrayOf<vtkUnsignedCharArray>("Faulty", found.faults));
-  this->Kept<Last>().Found = &found;
+  this->Last = &found;
 }
 
-const PrintCheck& vtkOversketchPrintCheck::Found()
-{
-  static const PrintCheck none;
-  const PrintCheck* found = this->Kept<Last>().Found;
-  return found ? *found : none;
-}
-
-bool vtkOversketchPrintCheck::IsReady()
-{
-  return this->Found().isReady(this->Wall);
-}
-
-int vtkOversketchPrintCheck::GetOpenEdges()
-{
-  return this->Found().openEdges;
-}
-
-int vtkOversketchPrintCheck::GetTurnedEdges()
-{
-  return this->Found().turnedEdges;
-}
-
-int vtkOversketchPrintCheck::GetCrowdedEdges()
-{
-  return this->Found().crowdedEdges;
-}
-
-int vtkOversketchPrintCheck::GetHoles()
-{
-  return this->Found().holes;
-}
-
-double vtkOversketchPrintCheck::GetLargestHoleLength()
-{
-  return this->Found().holeLength;
-}
-
-void vtkOversketchPrintCheck::GetLargestHole(double place[3])
+void vtkOversketchPrintCheck::GetLargestHole(double place[3]) const
 {
   Vector3::Map(place) = this->Found().holePlace;
 }
 
-int vtkOversketchPrintCheck::GetNumberOfBodies()
-{
-  return static_cast<int>(this->Found().bodies.size());
-}
-
-double vtkOversketchPrintCheck::GetBodyVolume(int body)
+double vtkOversketchPrintCheck::GetBodyVolume(int body) const
 {
   return body >= 0 && body < this->GetNumberOfBodies() ? this->Found().bodies[body].volume : 0.0;
-}
-
-int vtkOversketchPrintCheck::GetHollows()
-{
-  return this->Found().hollows();
-}
-
-int vtkOversketchPrintCheck::GetInsideOut()
-{
-  return this->Found().insideOut();
-}
-
-int vtkOversketchPrintCheck::GetCrossingPairs()
-{
-  return this->Found().crossings;
-}
-
-double vtkOversketchPrintCheck::GetLeastWall()
-{
-  return this->Found().leastWall;
-}
-
-double vtkOversketchPrintCheck::GetThinArea()
-{
-  return this->Found().thinArea(this->Wall);
 }
 
 void vtkOversketchPrintCheck::PrintSelf(ostream& os, vtkIndent indent)

@@ -28,12 +28,8 @@
 #define vtkOversketchPrintCheck_h
 
 #include "OversketchFiltersPrintModule.h" // For export macro
+#include "Print/print_check.h"            // For what it finds
 #include "vtkOversketchFilter.h"
-
-namespace oversketch
-{
-struct PrintCheck;
-}
 
 class OVERSKETCHFILTERSPRINT_EXPORT vtkOversketchPrintCheck : public vtkOversketchFilter
 {
@@ -53,25 +49,25 @@ public:
   /**
    * Whether the mesh of the last run has a body, no face of it a fault, and no wall is thinner than Wall.
    */
-  bool IsReady();
+  bool IsReady() const { return this->Found().isReady(this->Wall); }
 
   ///@{
   /**
    * Edges of the last mesh: with one face; with two that run along it the same way; with more than two. 0
    * after a run that failed, as all that follow.
    */
-  int GetOpenEdges();
-  int GetTurnedEdges();
-  int GetCrowdedEdges();
+  int GetOpenEdges() const { return this->Found().openEdges; }
+  int GetTurnedEdges() const { return this->Found().turnedEdges; }
+  int GetCrowdedEdges() const { return this->Found().crowdedEdges; }
   ///@}
 
   ///@{
   /**
    * Holes, which are runs of open edges; the length of the longest, and the middle of its edges.
    */
-  int GetHoles();
-  double GetLargestHoleLength();
-  void GetLargestHole(double place[3]);
+  int GetHoles() const { return this->Found().holes; }
+  double GetLargestHoleLength() const { return this->Found().holeLength; }
+  void GetLargestHole(double place[3]) const;
   ///@}
 
   ///@{
@@ -80,32 +76,32 @@ public:
    * [length^3], positive where its faces look outward; how many of them are hollows within others, and how
    * many are inside out, or would be, but for an open edge nothing is said of either.
    */
-  int GetNumberOfBodies();
-  double GetBodyVolume(int body);
-  int GetHollows();
-  int GetInsideOut();
+  int GetNumberOfBodies() const { return static_cast<int>(this->Found().bodies.size()); }
+  double GetBodyVolume(int body) const;
+  int GetHollows() const { return this->Found().hollows; }
+  int GetInsideOut() const { return this->Found().insideOut; }
   ///@}
 
   /**
    * Pairs of faces that pass through each other, or touch elsewhere than in a common point.
    */
-  int GetCrossingPairs();
+  int GetCrossingPairs() const { return this->Found().crossings; }
 
   ///@{
   /**
    * The thinnest wall [model length], -1 for none; the area of faces with walls thinner than Wall [length^2].
    */
-  double GetLeastWall();
-  double GetThinArea();
+  double GetLeastWall() const { return this->Found().leastWall; }
+  double GetThinArea() const { return this->Found().thinArea(this->Wall); }
   ///@}
 
   /**
    * All of it as the kernel found it, for hosts that tell it in words.
    */
-  const oversketch::PrintCheck& Found();
+  const oversketch::PrintCheck& Found() const { return *this->Last; }
 
 protected:
-  vtkOversketchPrintCheck() = default;
+  vtkOversketchPrintCheck();
   ~vtkOversketchPrintCheck() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -113,8 +109,7 @@ protected:
 
 private:
   double Wall = 0.0;
-
-  struct Last;
+  const oversketch::PrintCheck* Last; // of what is kept, or of nothing
 };
 
 #endif

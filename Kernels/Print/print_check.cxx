@@ -4,10 +4,11 @@
 #include "Mesh/weld.h"
 #include "Ray/surface_rays.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 namespace oversketch
 {
@@ -15,50 +16,12 @@ namespace oversketch
 namespace
 {
 
-// Numbers of the groups that pairs join, in the order of their first members; -1 for who is in no pair.
-class Groups
-{
-public:
-  explicit Groups(int count)
-    : Roots(count, -1)
-  {
-  }
-  void join(int a, int b)
-  {
-    this->add(a);
-    this->add(b);
-    const int first = this->root(a), second = this->root(b);
-    this->Roots[std::max(first, second)] = std::min(first, second);
-  }
-  std::vector<int> numbers(int& count)
-  {
-    std::vector<int> numbers(this->Roots.size(), -1);
-    count = 0;
-    for (int i = 0; i < static_cast<int>(numbers.size()); ++i)
-    {
-      const int at = this->Roots[i] < 0 ? -1 : this->root(i);
-      numbers[i] = at < 0 ? -1 : at == i ? count++ : numbers[at];
-    }
-    return numbers;
-  }
-
-private:
-  void add(int i) { this->Roots[i] = this->Roots[i] < 0 ? i : this->Roots[i]; }
-  int root(int i)
-  {
-    for (; this->Roots[i] != i; i = this->Roots[i])
-    {
-      this->Roots[i] = this->Roots[this->Roots[i]];
-    }
-    return i;
-  }
-
-  std::vector<int> Roots;
-};
+// Points that are joined, a number for each group: that of one of them.
+using Groups = boost::disjoint_sets_with_storage<>;
 
 void checkEdges(const Mesh& mesh, const Adjacency& adjacency, PrintCheck& check)
 {
-  Groups rims(mesh.vertexCount());
+  Groups rims(mesh.points.size());
   for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
   {
     const MeshEdge& edge = adjacency.edges[e];
@@ -69,7 +32,7 @@ void checkEdges(const Mesh& mesh, const Adjacency& adjacency, PrintCheck& check)
     {
       fault = OpenFault;
       ++check.openEdges;
-      rims.join(edge.v0, edge.v1);
+      rims.union_set(edge.v0, edge.v1);
     }
     else if (edge.triangleCount > 2)
     {
@@ -86,21 +49,22 @@ void checkEdges(const Mesh& mesh, const Adjacency& adjacency, PrintCheck& check)
       check.faults[t] |= fault;
     }
   }
-  const std::vector<int> holeOf = rims.numbers(check.holes);
-  std::vector<double> lengths(check.holes, 0.0);
-  std::vector<Vector3> places(check.holes, Vector3::Zero()); // times lengths
+  std::vector<double> lengths(mesh.points.size(), 0.0);             // of holes
+  std::vector<Vector3> places(mesh.points.size(), Vector3::Zero()); // times lengths
   for (const MeshEdge& edge : adjacency.edges)
   {
     if (edge.triangleCount == 1)
     {
       const Vector3 &a = mesh.points[edge.v0], &b = mesh.points[edge.v1];
-      lengths[holeOf[edge.v0]] += (b - a).norm();
-      places[holeOf[edge.v0]] += 0.5 * (b - a).norm() * (a + b);
+      const std::size_t hole = rims.find_set(edge.v0);
+      check.holes += lengths[hole] == 0.0;
+      lengths[hole] += (b - a).norm();
+      places[hole] += 0.5 * (b - a).norm() * (a + b);
     }
   }
-  const auto longest = std::max_element(lengths.begin(), lengths.end());
-  if (longest != lengths.end() && *longest > 0.0)
+  if (check.holes > 0)
   {
+    const auto longest = std::max_element(lengths.begin(), lengths.end());
     check.holeLength = *longest;
     check.holePlace = places[longest - lengths.begin()] / *longest;
   }
@@ -109,14 +73,12 @@ void checkEdges(const Mesh& mesh, const Adjacency& adjacency, PrintCheck& check)
 // The body of each face; -1 for one that counts as none.
 std::vector<int> findBodies(const Mesh& mesh, const Adjacency& adjacency, PrintCheck& check)
 {
-  Groups joined(mesh.vertexCount());
+  Groups joined(mesh.points.size());
   for (const MeshEdge& edge : adjacency.edges)
   {
-    joined.join(edge.v0, edge.v1);
+    joined.union_set(edge.v0, edge.v1);
   }
-  int count = 0;
-  const std::vector<int> groups = joined.numbers(count);
-  std::vector<int> bodies(mesh.triangles.size(), -1), numbers(count, -1);
+  std::vector<int> bodies(mesh.triangles.size(), -1), numbers(mesh.points.size(), -1);
   std::vector<Vector3> origins; // so that volumes far from the origin are exact
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
@@ -125,7 +87,7 @@ std::vector<int> findBodies(const Mesh& mesh, const Adjacency& adjacency, PrintC
       continue;
     }
     const Triangle& corners = mesh.triangles[t];
-    int& number = numbers[groups[corners[0]]];
+    int& number = numbers[joined.find_set(corners[0])];
     if (number < 0)
     {
       number = static_cast<int>(check.bodies.size());
@@ -160,7 +122,7 @@ double windingRound(const Vector3& point, const Mesh& mesh, const std::vector<in
       sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
     }
   }
-  return sum / (2.0 * EIGEN_PI);
+  return sum / (2.0 * static_cast<double>(EIGEN_PI));
 }
 
 // Tells hollows from bodies that are inside out.
@@ -189,6 +151,12 @@ void judgeBodies(const Mesh& mesh, const std::vector<int>& bodies, PrintCheck& c
       body.isHollow = windingRound(point, mesh, bodies, negative[i]) > 0.5;
       body.isInsideOut = !body.isHollow;
     });
+  for (const PrintBody& body : check.bodies)
+  {
+    check.hollows += body.isHollow;
+    check.insideOut += body.isInsideOut;
+    check.volume += body.volume;
+  }
   for (int t = 0; t < mesh.triangleCount(); ++t)
   {
     if (bodies[t] >= 0 && check.bodies[bodies[t]].isInsideOut)
@@ -282,26 +250,6 @@ PrintCheck checkPrint(const Mesh& given, const Context& context)
   }
   measureWalls(mesh, bodies, check, context, silent);
   return check;
-}
-
-int PrintCheck::hollows() const
-{
-  return static_cast<int>(std::count_if(
-    this->bodies.begin(), this->bodies.end(), [](const PrintBody& body) { return body.isHollow; }));
-}
-
-int PrintCheck::insideOut() const
-{
-  return static_cast<int>(std::count_if(
-    this->bodies.begin(), this->bodies.end(), [](const PrintBody& body) { return body.isInsideOut; }));
-}
-
-double PrintCheck::volume() const
-{
-  return std::accumulate(this->bodies.begin(),
-    this->bodies.end(),
-    0.0,
-    [](double sum, const PrintBody& body) { return sum + body.volume; });
 }
 
 double PrintCheck::thinArea(double wall) const

@@ -37,10 +37,12 @@ struct PrintCheck
   int openEdges = 0, holes = 0;
   double holeLength = 0.0;
   Vector3 holePlace = Vector3::Zero();
-  int turnedEdges = 0;           // with two faces that both run along them the same way
-  int crowdedEdges = 0;          // with more than two faces
-  std::vector<PrintBody> bodies; // in the order of their first faces
-  int crossings = 0;             // pairs of faces that pass through each other (crossingFaces)
+  int turnedEdges = 0;            // with two faces that both run along them the same way
+  int crowdedEdges = 0;           // with more than two faces
+  std::vector<PrintBody> bodies;  // in the order of their first faces
+  int hollows = 0, insideOut = 0; // of the bodies
+  double volume = 0.0;            // of all bodies, hollows taken off
+  int crossings = 0;              // pairs of faces that pass through each other (crossingFaces)
   // Per face the length from its middle straight inward to where that leaves the body, hollows of it too;
   // -1 where it does not, and for faces without area. Other bodies that lie in the body do not count.
   std::vector<double> walls;
@@ -49,9 +51,6 @@ struct PrintCheck
   double leastWall = -1.0;          // -1: none
   Vector3 size = Vector3::Zero();   // of the box round all faces
 
-  int hollows() const;
-  int insideOut() const;
-  double volume() const; // of all bodies
   // Area of the faces whose walls are thinner, or are sheets of no thickness.
   double thinArea(double wall) const;
   // Whether no face has a fault, no wall is thinner, and there is a body.

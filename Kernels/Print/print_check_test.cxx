@@ -57,7 +57,7 @@ TEST(PrintCheck, ACubeIsReadyAndItsWallsAreItsSides)
   EXPECT_TRUE(check.isReady(9.999));
   EXPECT_FALSE(check.isReady(10.001));
   EXPECT_EQ(check.bodies.size(), 1u);
-  EXPECT_NEAR(check.volume(), 1000.0, 1e-9);
+  EXPECT_NEAR(check.volume, 1000.0, 1e-9);
   EXPECT_EQ(check.size, Vector3::Constant(10.0));
   for (const double wall : check.walls)
   {
@@ -89,7 +89,7 @@ TEST(PrintCheck, AWallOfAHollowIsBetweenBothShells)
   ASSERT_EQ(check.bodies.size(), 2u);
   EXPECT_TRUE(check.bodies[1].isHollow);
   EXPECT_FALSE(check.bodies[1].isInsideOut);
-  EXPECT_NEAR(check.volume(), 1000.0 - 9.2 * 9.2 * 9.2, 1e-9);
+  EXPECT_NEAR(check.volume, 1000.0 - 9.2 * 9.2 * 9.2, 1e-9);
   for (const double wall : check.walls)
   {
     EXPECT_NEAR(wall, 0.4, 1e-9);
@@ -98,9 +98,9 @@ TEST(PrintCheck, AWallOfAHollowIsBetweenBothShells)
   // A body within the hollow is one; the same hollow beside the cube is inside out.
   const Mesh nested = joined(hollow, cube(2.0), Vector3::Constant(4.0));
   EXPECT_TRUE(checkPrint(nested).isReady(0.39));
-  EXPECT_EQ(checkPrint(nested).hollows(), 1);
+  EXPECT_EQ(checkPrint(nested).hollows, 1);
   const PrintCheck beside = checkPrint(joined(cube(10.0), turned(cube(9.2)), { 20.0, 0.0, 0.0 }));
-  EXPECT_EQ(beside.insideOut(), 1);
+  EXPECT_EQ(beside.insideOut, 1);
   EXPECT_NEAR(beside.bodies[1].volume, -9.2 * 9.2 * 9.2, 1e-9);
   EXPECT_EQ(facesWith(beside, InsideOutFault), 12);
   EXPECT_EQ(faultsOf(beside), std::vector<std::string>{ "Bodies that are inside out: 1. Turn their faces." });

@@ -144,5 +144,9 @@ def test_3mf_of_single_precision_has_short_numbers(tmp_path):
     mesh = read(DOG)
     assert numpy.array_equal(vertices.astype(numpy.float32)[triangles], points_of(mesh).astype(numpy.float32)[triangles_of(mesh)])
     lib3mf = pytest.importorskip("lib3mf")
-    reader = lib3mf.get_wrapper().CreateModel()
-    reader.QueryReader("3mf").ReadFromFile(str(tmp_path / "dog.3mf"))
+    model = lib3mf.get_wrapper().CreateModel()
+    reader = model.QueryReader("3mf")
+    reader.SetStrictModeActive(True)
+    reader.ReadFromFile(str(tmp_path / "dog.3mf"))
+    meshes = model.GetMeshObjects()
+    assert meshes.MoveNext() and meshes.GetCurrentMeshObject().IsManifoldAndOriented() and reader.GetWarningCount() == 0

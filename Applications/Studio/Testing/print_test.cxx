@@ -54,9 +54,9 @@ struct PrintScene : Scene
       if (button->text().startsWith("&Write"))
       {
         button->click();
-        return;
       }
     }
+    EXPECT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }, 60000));
   }
 
   QPointer<PrintDialog> dialog;
@@ -99,7 +99,6 @@ TEST(Print, WritesInMillimetresAsItStandsOnATable)
   ASSERT_TRUE(scene.dialog);
   scene.field("printHeight")->setValue(42.0);
   scene.write(folder.filePath("dog.stl"));
-  ASSERT_TRUE(QFile::exists(folder.filePath("dog.stl")));
   oversketch_files::Notes notes;
   const auto printed = oversketch_files::readMesh(folder.filePath("dog.stl").toStdString(), notes);
   vtkPolyData* model = scene.document->result().mesh;
@@ -124,7 +123,6 @@ TEST(Print, AChangeOfTheModelEndsIt)
   QFile file(folder.filePath("dog.3mf"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().startsWith("PK"));
-  QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
   scene.action(QString::fromUtf8("Export for pr&int…"))->trigger();
   scene.dialog = scene.window.findChild<PrintDialog*>();
   ASSERT_TRUE(scene.dialog && scene.dialog->isVisible());

@@ -118,6 +118,10 @@ private:
   void exportModel(int model, int part, const QString& name);
   // As one mesh; of it that part, or -1 all.
   void exportMeshes(const ExactResults& results, int part, const QString& name);
+  // Writes what `make` makes on a thread of its own, if it does, and then says so, with the file's name.
+  void writeAside(const QString& path,
+    const QString& said,
+    const std::function<vtkSmartPointer<vtkPolyData>()>& make);
   void printAsked();
   void writePrint(const vtkSmartPointer<vtkPolyData>& mesh);
   void screenshot(bool lines);

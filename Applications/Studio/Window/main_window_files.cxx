@@ -373,26 +373,34 @@ void MainWindow::exportMeshes(const ExactResults& results, int part, const QStri
   {
     return;
   }
+  const QString said = !wearsPicture        ? tr("Exported %1.")
+                       : keepsPicture(path) ? tr("Exported %1 with its picture.")
+                                            : tr("Exported %1 without its picture: choose glTF to keep it.");
+  this->writeAside(path,
+    said,
+    [makeWhole = wholeOf(results), part]() -> vtkSmartPointer<vtkPolyData>
+    {
+      const auto whole = makeWhole();
+      return part < 0 || !whole ? whole : oversketch_files::partAlone(whole, part);
+    });
+}
+
+void MainWindow::writeAside(const QString& path,
+  const QString& said,
+  const std::function<vtkSmartPointer<vtkPolyData>()>& make)
+{
   const auto notes = std::make_shared<oversketch_files::Notes>();
   const QString file = QFileInfo(path).fileName();
   this->runAside(
     tr("Exporting %1…").arg(file),
-    [makeWhole = wholeOf(results), part, path, notes]
+    [make, path, notes]
     {
-      if (const auto whole = makeWhole())
+      if (const auto mesh = make())
       {
-        const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
         oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
       }
     },
-    [&]
-    {
-      const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
-                           : keepsPicture(path)
-                             ? tr("Exported %1 with its picture.").arg(file)
-                             : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
-      this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
-    });
+    [&] { this->Advice->setText((QStringList{ said.arg(file) } + listOf(*notes)).join(' ')); });
 }
 
 void MainWindow::printAsked()
@@ -438,7 +446,11 @@ void MainWindow::printAsked()
       this->View->showInstead(nullptr);
       this->View->display().others().show(this->OpenDocument->session());
     });
-  connect(dialog, &QDialog::accepted, this, [this, dialog] { this->writePrint(dialog->printed()); });
+  connect(dialog,
+    &QDialog::accepted,
+    this,
+    [this, dialog] // once it has closed: what asks for a name runs events, which may delete it
+    { QTimer::singleShot(0, this, [this, mesh = dialog->printed()] { this->writePrint(mesh); }); });
   dialog->move(this->mapToGlobal(QPoint(this->width() - dialog->sizeHint().width(), 0))); // beside the model
   dialog->show();
 }
@@ -446,16 +458,10 @@ void MainWindow::printAsked()
 void MainWindow::writePrint(const vtkSmartPointer<vtkPolyData>& mesh)
 {
   const QString path = printPathAsked(this, QFileInfo(this->OpenDocument->name()).completeBaseName());
-  if (path.isEmpty())
+  if (!path.isEmpty())
   {
-    return;
+    this->writeAside(path, tr("Exported %1."), [mesh] { return mesh; });
   }
-  const auto notes = std::make_shared<oversketch_files::Notes>();
-  const QString file = QFileInfo(path).fileName();
-  this->runAside(
-    tr("Exporting %1…").arg(file),
-    [mesh, path, notes] { oversketch_files::writeMesh(mesh, path.toStdString(), *notes); },
-    [&] { this->Advice->setText((QStringList{ tr("Exported %1.").arg(file) } + listOf(*notes)).join(' ')); });
 }
 
 void MainWindow::screenshot(bool lines)
