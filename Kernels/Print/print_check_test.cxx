@@ -65,6 +65,7 @@ TEST(PrintCheck, ACubeIsReadyAndItsWallsAreItsSides)
   }
   EXPECT_NEAR(check.thinArea(10.001), 600.0, 1e-9);
   EXPECT_TRUE(faultsOf(check).empty());
+  EXPECT_EQ(printFacts(check, 0.0, 1.0)[3].words.text(), "Oriented: faces look outward.");
   EXPECT_EQ(printFacts(check, 0.0, 25.4)[0].words.text(), "Size: 254 x 254 x 254 mm.");
 }
 

@@ -1,7 +1,20 @@
 #include "Print/print_facts.h"
 
+#include <cmath>
+
 namespace oversketch
 {
+
+namespace
+{
+
+// As few read more of a number than four digits.
+double shown(double number)
+{
+  return std::abs(number) < 1000.0 ? number : std::round(number);
+}
+
+} // namespace
 
 std::vector<PrintFact> printFacts(const PrintCheck& check, double wall, double unit)
 {
@@ -11,11 +24,13 @@ std::vector<PrintFact> printFacts(const PrintCheck& check, double wall, double u
   }
   const Vector3 size = unit * check.size, place = unit * check.holePlace;
   const double thin = check.thinArea(wall);
-  std::vector<PrintFact> facts = { { { "Size: %1 x %2 x %3 mm.", size[0], size[1], size[2] } },
+  std::vector<PrintFact> facts = {
+    { { "Size: %1 x %2 x %3 mm.", shown(size[0]), shown(size[1]), shown(size[2]) } },
     { { "Bodies: %1, hollows in them: %2; volume: %3 cm³.",
       static_cast<int>(check.bodies.size()) - check.hollows,
       check.hollows,
-      1e-3 * unit * unit * unit * check.volume } } };
+      shown(1e-3 * unit * unit * unit * check.volume) } }
+  };
   // What is wrong, or the words where nothing is.
   const auto tell = [&facts](bool isFault, const Message& fault, const Message& well = {})
   {
@@ -28,10 +43,10 @@ std::vector<PrintFact> printFacts(const PrintCheck& check, double wall, double u
     { "Open edges: %1, round holes: %2. The largest, %3 mm round, is at (%4, %5, %6) mm. Fill the holes.",
       check.openEdges,
       check.holes,
-      unit * check.holeLength,
-      place[0],
-      place[1],
-      place[2] },
+      shown(unit * check.holeLength),
+      shown(place[0]),
+      shown(place[1]),
+      shown(place[2]) },
     "Closed: no edge is open.");
   tell(check.crowdedEdges > 0,
     { "Edges of more than two faces: %1. Take faces away that are there twice, and bodies apart that share "
@@ -42,6 +57,10 @@ std::vector<PrintFact> printFacts(const PrintCheck& check, double wall, double u
     { "Edges along which inside and outside change places: %1. Turn the faces on one side of them.",
       check.turnedEdges });
   tell(check.insideOut > 0, { "Bodies that are inside out: %1. Turn their faces.", check.insideOut });
+  if (check.crowdedEdges + check.turnedEdges + check.insideOut == 0)
+  {
+    facts.push_back({ "Oriented: faces look outward." });
+  }
   tell(check.crossings > 0,
     { "Faces that pass through each other: %1 pairs. Move the bodies apart or join them, and smooth the "
       "surface "
@@ -53,7 +72,7 @@ std::vector<PrintFact> printFacts(const PrintCheck& check, double wall, double u
       "model "
       "larger.",
       unit * wall,
-      unit * unit * thin,
+      shown(unit * unit * thin),
       unit * check.leastWall },
     check.leastWall < 0.0 ? Message("No wall can be measured: the faces enclose nothing.")
                           : Message("Thinnest wall: %1 mm.", unit * check.leastWall));

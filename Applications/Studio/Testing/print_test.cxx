@@ -29,7 +29,7 @@ struct PrintScene : Scene
   {
     QSettings().remove("printHeight");
     QSettings().remove("printWall");
-    this->action(QString::fromUtf8("Export for pr&int…"))->trigger();
+    this->action(QString::fromUtf8("Export &for print…"))->trigger();
     this->dialog = this->window.findChild<PrintDialog*>();
   }
   QDoubleSpinBox* field(const char* name) { return this->dialog->findChild<QDoubleSpinBox*>(name); }
@@ -123,7 +123,7 @@ TEST(Print, AChangeOfTheModelEndsIt)
   QFile file(folder.filePath("dog.3mf"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().startsWith("PK"));
-  scene.action(QString::fromUtf8("Export for pr&int…"))->trigger();
+  scene.action(QString::fromUtf8("Export &for print…"))->trigger();
   scene.dialog = scene.window.findChild<PrintDialog*>();
   ASSERT_TRUE(scene.dialog && scene.dialog->isVisible());
   scene.draw();

@@ -77,6 +77,10 @@ PrintDialog::PrintDialog(vtkOversketchPrintCheck* check,
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   buttons->button(QDialogButtonBox::Cancel)->setText(tr("&Cancel"));
   this->Write = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
+  for (QAbstractButton* button : buttons->buttons()) // Return in a field confirms that alone
+  {
+    qobject_cast<QPushButton*>(button)->setAutoDefault(false);
+  }
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* form = new QFormLayout(this);
