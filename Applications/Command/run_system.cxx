@@ -296,7 +296,8 @@ Session sessionOf(const Options& options, Notes& notes)
       if (further.kind == SystemInput::Kind::Mesh && further.optional && !path.empty())
       {
         const auto other = readMesh(path, notes);
-        session.mesh = joined({ session.mesh.Get(), other.Get() }); // a step holds no mesh
+        session.mesh = oversketch_session::joined(
+          std::vector<vtkPolyData*>{ session.mesh.Get(), other.Get() }); // a step holds no mesh
       }
     }
     multiplyShares(options, session.mesh.Get(), step->values);
