@@ -12,7 +12,7 @@ namespace oversketch
 {
 
 // An edge of one surface goes through a face of the other.
-struct Crossing
+struct EdgeCrossing
 {
   bool ofSecond = false; // whether the edge is the second surface's
   int edge = -1;         // of its surface's adjacency
@@ -32,7 +32,7 @@ struct CrossingPiece
 
 struct Crossings
 {
-  std::vector<Crossing> points;
+  std::vector<EdgeCrossing> points;
   std::vector<CrossingPiece> pieces; // ascending by faces
 };
 

@@ -247,7 +247,7 @@ private:
   // The weights of a crossing in one of the faces that it is seen in.
   Vector3 weightsOf(int crossing, int face) const
   {
-    const Crossing& c = this->All->points[crossing];
+    const EdgeCrossing& c = this->All->points[crossing];
     const Triangle& t = this->triangle(face);
     Vector3 weights = Vector3::Zero();
     if (c.ofSecond == this->IsSecond)
@@ -500,7 +500,7 @@ United unite(const Body& a, const Body& b, JoinKind kind, double least, const Co
   const int own = a.mesh.vertexCount(), crossed = own + b.mesh.vertexCount();
   body.mesh.points = a.mesh.points;
   body.mesh.points.insert(body.mesh.points.end(), b.mesh.points.begin(), b.mesh.points.end());
-  for (const Crossing& crossing : crossings.points)
+  for (const EdgeCrossing& crossing : crossings.points)
   {
     body.mesh.points.push_back(crossing.point);
   }

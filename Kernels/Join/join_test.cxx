@@ -1,5 +1,6 @@
 // Bodies joined, cut and common, beside what is known of them, and beside CGAL's corefinement.
-#include "Join/unite.h"
+#include "Join/join.h"
+#include "Join/polygon.h"
 
 #include "Harness/shapes.h"
 #include "Intersection/crossing_faces.h"
@@ -133,6 +134,14 @@ double leastOf(const Mesh& a, const Mesh& b)
   return 1e-6 * std::max(boundingDiagonal(a), boundingDiagonal(b));
 }
 
+Joined joinedOf(const Mesh& a, const Mesh& b, const JoinOptions& options)
+{
+  const Mesh both = joined(a, b, Vector3::Zero());
+  std::vector<int> parts(both.triangles.size(), 0);
+  std::fill(parts.begin() + a.triangleCount(), parts.end(), 1);
+  return join({ both, parts, parts }, options);
+}
+
 // Points of the inputs that lie strictly in what is kept are there, bit for bit.
 int keptPoints(const Mesh& of, const Mesh& in)
 {
@@ -264,10 +273,9 @@ TEST(Unite, TheSameMeshShiftedByAHair)
     {
       SCOPED_TRACE(testing::Message() << mesh.triangleCount() << " triangles by " << shift);
       const Mesh b = placed(mesh, Vector3(1.0, 0.3, 0.7) * shift);
-      const United united =
-        unite(bodyOf(mesh), bodyOf(b, mesh.triangleCount()), JoinKind::Join, leastOf(mesh, b), Context());
-      EXPECT_EQ(expectSound(united.body.mesh), mesh.triangleCount() == 1600 ? 0 : 2);
-      EXPECT_NEAR(volumeOf(united.body.mesh), volumeOf(mesh), std::max(1e-4, 10.0 * shift));
+      const Joined made = joinedOf(mesh, b, {});
+      EXPECT_EQ(expectSound(made.mesh), mesh.triangleCount() == 1600 ? 0 : 2);
+      EXPECT_NEAR(volumeOf(made.mesh), volumeOf(mesh), std::max(1e-4, 10.0 * shift));
     }
   }
 }
@@ -287,6 +295,148 @@ TEST(Unite, BeyondTheCutEveryPointKeepsItsBits)
     outside += p.norm() > 1.0001;
   }
   EXPECT_GE(keptPoints(a, united.body.mesh) + keptPoints(b, united.body.mesh), outside);
+}
+
+// Edges of the seam bend by less than 12 degrees at 8 triangles over its width, points beyond it keep their
+// bits.
+TEST(Join, ASeamIsSmooth)
+{
+  const Mesh ball = icosphere(4);
+  const struct
+  {
+    Mesh b;
+    JoinKind kind;
+  } cases[] = { { placed(ball, { 1.1, 0.2, 0.3 }), JoinKind::Join },
+    { placed(icosphere(4, 0.5), { 0.8, 0.3, 0.4 }), JoinKind::Join },
+    { placed(icosphere(4, 0.5), { 0.8, 0.3, 0.4 }), JoinKind::Cut },
+    { placed(ball, { 0.5, 0.2, 0.3 }), JoinKind::Common } };
+  for (const auto& one : cases)
+  {
+    SCOPED_TRACE(&one - cases);
+    const double width = 0.3;
+    const Joined made = joinedOf(ball, one.b, { one.kind, width, false }),
+                 creased = joinedOf(ball, one.b, { one.kind, 0.0, false });
+    EXPECT_EQ(expectSound(made.mesh), 2);
+    EXPECT_LT(made.sharpest, 12.0);
+    EXPECT_GT(made.sharpest, 1.0);
+    // The crease itself, for where the seam is.
+    const Adjacency edges = buildAdjacency(creased.mesh);
+    std::vector<Vector3> crease;
+    for (int e = 0; e < static_cast<int>(edges.edges.size()); ++e)
+    {
+      const auto at = edges.trianglesAt(e);
+      if ((creased.source[at.begin()[0]] < ball.triangleCount()) !=
+          (creased.source[at.begin()[1]] < ball.triangleCount()))
+      {
+        crease.push_back(creased.mesh.points[edges.edges[e].v0]);
+      }
+    }
+    ASSERT_GT(crease.size(), 20u);
+    int beyond = 0, kept = 0;
+    std::set<std::array<double, 3>> all;
+    for (const Vector3& p : made.mesh.points)
+    {
+      all.insert({ p[0], p[1], p[2] });
+    }
+    for (const Vector3& p : creased.mesh.points)
+    {
+      const auto isNear = [&](const Vector3& q) { return (p - q).norm() < 0.5 * width + 0.01; };
+      if (std::none_of(crease.begin(), crease.end(), isNear))
+      {
+        ++beyond;
+        kept += static_cast<int>(all.count({ p[0], p[1], p[2] }));
+      }
+    }
+    EXPECT_GT(beyond, 100);
+    EXPECT_EQ(kept, beyond);
+  }
+}
+
+TEST(Join, SaysWhatItCannotDo)
+{
+  const Mesh ball = icosphere(2);
+  const auto messageOf = [&](const Mesh& b, const JoinOptions& options) -> std::string
+  {
+    try
+    {
+      joinedOf(ball, b, options);
+    }
+    catch (const Error& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  const auto has = [](const std::string& text, const char* part)
+  { return text.find(part) != std::string::npos; };
+  const Mesh apart = placed(ball, { 3, 0, 0 });
+  EXPECT_PRED2(has, messageOf(apart, {}), "Part 2 meets none of the others");
+  EXPECT_PRED2(has, messageOf(apart, { JoinKind::Common, 0.0, false }), "nothing in common");
+  EXPECT_PRED2(has, messageOf(apart, { JoinKind::Join, 0.0, true }), "as thick as the seam");
+  EXPECT_PRED2(has,
+    messageOf(
+      placed(ball, Vector3::Zero(), 2.0 * Eigen::Matrix3d::Identity()), { JoinKind::Cut, 0.0, false }),
+    "Nothing is left");
+  EXPECT_PRED2(has,
+    messageOf(placed(icosphere(2, 0.1), { 1, 0, 0 }), { JoinKind::Join, 0.5, false }),
+    "all over what is left of part 2");
+  Mesh open = placed(ball, { 1, 0, 0 });
+  open.triangles.pop_back();
+  EXPECT_PRED2(has, messageOf(open, {}), "Part 2 is not closed");
+  std::swap(open.triangles[7][0], open.triangles[7][1]);
+  open.triangles.push_back(ball.triangles.back());
+  EXPECT_PRED2(has, messageOf(open, {}), "Part 2 is no closed surface");
+}
+
+// A bar along the shortest way: one body of no handles.
+TEST(Join, ABridgeMeetsBoth)
+{
+  const Mesh ball = icosphere(4);
+  const Joined made = joinedOf(ball, placed(ball, { 2.5, 0.2, 0.3 }), { JoinKind::Join, 0.3, true });
+  EXPECT_EQ(expectSound(made.mesh), 2);
+  EXPECT_GT(volumeOf(made.mesh), 2.0 * volumeOf(ball));
+  EXPECT_LT(volumeOf(made.mesh), 2.0 * volumeOf(ball) + 0.2);
+}
+
+// The order in which parts are given makes no difference to whether they meet: the third one joins the
+// others.
+TEST(Join, PartsWaitForTheOneThatTheyMeet)
+{
+  const Mesh ball = icosphere(2);
+  Mesh all = joined(ball, placed(ball, { 3.2, 0, 0 }), Vector3::Zero());
+  all = joined(all, placed(ball, { 1.6, 0, 0 }), Vector3::Zero());
+  std::vector<int> parts;
+  for (int t = 0; t < all.triangleCount(); ++t)
+  {
+    parts.push_back(t / ball.triangleCount());
+  }
+  EXPECT_EQ(expectSound(join({ all, parts, parts }, {}).mesh), 2);
+}
+
+// Holes, islands and a point on a border, as rounding may make them: every edge of a loop is one of a
+// triangle, and the area is the polygon's.
+TEST(Polygon, HasItsArea)
+{
+  const std::vector<Vector2> points{ { 0, 0 },
+    { 4, 0 },
+    { 4, 4 },
+    { 0, 4 },
+    { 1, 1 },
+    { 1, 2 },
+    { 2, 2 },
+    { 2, 1 },
+    { 3, 3 },
+    { 2.5, 3.5 },
+    { 3.5, 3.5 } };
+  const auto triangles = triangulatePolygon(points, { { 0, 1, 2, 3 }, { 4, 5, 6, 7 }, { 8, 9, 10 } });
+  double area = 0.0;
+  for (const Triangle& t : triangles)
+  {
+    EXPECT_GT(turnedArea(points, { t[0], t[1], t[2] }), 0.0);
+    area += turnedArea(points, { t[0], t[1], t[2] }) / 2.0;
+  }
+  EXPECT_NEAR(area, 16.0 - 1.0 - 0.25, 1e-12);
+  EXPECT_EQ(triangles.size(), 4u + 4u + 3u + 2u);
 }
 
 } // namespace
