@@ -45,6 +45,19 @@ std::vector<Body> bodiesOf(const JoinInput& input)
   return bodies;
 }
 
+// Below 0 where faces look inward.
+double enclosedVolume(const Mesh& mesh)
+{
+  const Vector3 origin = boxRound(mesh.points).center();
+  double six = 0.0;
+  for (const Triangle& t : mesh.triangles)
+  {
+    const Vector3 a = mesh.points[t[0]] - origin, b = mesh.points[t[1]] - origin;
+    six += a.dot(b.cross(mesh.points[t[2]] - origin));
+  }
+  return six / 6.0;
+}
+
 // The faces that go through others though one of them at least is changed.
 std::vector<FacePair> tornIn(const Mesh& mesh, const std::vector<char>& changed, const Context& context)
 {
@@ -94,6 +107,15 @@ Joined join(const JoinInput& input, const JoinOptions& options, const Context& c
   if (options.bridge && options.width <= 0.0)
   {
     throw Error(Failure::BadRegion, "A bridge is as thick as the seam is wide; give {Width} above 0.");
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+  {
+    if (!(enclosedVolume(bodies[i].mesh) > 0.0))
+    {
+      throw Error(Failure::BadMesh,
+        "Part %1 is inside out: it encloses no volume; turn its faces round (vtkReverseSense).",
+        static_cast<int>(i) + 1);
+    }
   }
   const double diagonal = boundingDiagonal(input.mesh);
   United united;

@@ -22,7 +22,8 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 constexpr double sharp = 50.0;    // [degrees] edges of the parts that remeshing keeps
 constexpr double smooth = 11.0;   // [degrees] that edges of the seam are to bend by at most
 constexpr double triangles = 8.0; // over the width
-constexpr int mostRounds = 4;
+constexpr int mostRounds = 3;
+constexpr double mostSharp = 0.002; // of the seam's edges, by noise of the parts
 
 // A mesh whose triangles are of parts.
 struct Parted
@@ -301,15 +302,19 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
     fair(joined.mesh, now, free, isSharp, width, context);
     const double before = joined.rounds == 0 ? 180.0 : joined.sharpest;
     joined.sharpest = 0.0;
+    int edges = 0, sharpEdges = 0;
     for (int e = 0; e < static_cast<int>(now.edges.size()); ++e)
     {
       const MeshEdge& edge = now.edges[e];
       if ((free[edge.v0] || free[edge.v1]) && !isSharp[edge.v0] && !isSharp[edge.v1])
       {
-        joined.sharpest = std::max(joined.sharpest, bend(joined.mesh, now, e));
+        const double bends = bend(joined.mesh, now, e);
+        joined.sharpest = std::max(joined.sharpest, bends);
+        ++edges;
+        sharpEdges += bends > smooth;
       }
     }
-    if (joined.sharpest <= smooth || joined.sharpest > 0.95 * before || joined.rounds == mostRounds)
+    if (sharpEdges <= mostSharp * edges || joined.sharpest > 0.95 * before || joined.rounds == mostRounds)
     {
       return joined;
     }

@@ -46,6 +46,7 @@ REACH = [
     ("cross-section, plane slid", "vtkPlaneCutter", 1 / 50, None),
     ("region's exponentials", "Eigen", 1 / 10, None),
     ("remeshing", "CGAL", 1 / 5, ["30k", "180k"]),
+    ("joining", "CGAL", 1 / 3, ["180k"]),
     ("one stroke", "limit", 3.0, ["30k", "180k"]),
     ("next stroke", "limit", 3.0, ["30k", "180k"]),
     ("edge splits", "limit", 1.0, None),
