@@ -1,5 +1,6 @@
 #include "verbs.h"
 
+#include "image_file.h"
 #include "json_files.h"
 #include "mesh_file.h"
 #include "option_names.h"

@@ -2,12 +2,8 @@
 
 #include "files.h"
 #include "film.h"
-#include "heights.h"
 #include "terminal.h"
-#include "texture.h"
-#include "upright_picture.h"
 
-#include <filesystem>
 #include <memory>
 
 namespace oversketch_command
@@ -25,24 +21,6 @@ Progress progressOf(const std::string& what)
 }
 
 } // namespace
-
-Image readImage(const std::string& path, SystemInput::Kind kind)
-{
-  requireReadable(path);
-  Image image{ std::filesystem::path(path).filename().string(),
-    std::make_shared<const std::string>(wholeFile(path)) };
-  if (kind == SystemInput::Kind::Heights)
-  {
-    parseHeights(path, *image.bytes);
-    return image;
-  }
-  image.bytes = std::make_shared<const std::string>(uprightPicture(*image.bytes));
-  if (!pictureOf(*image.bytes))
-  {
-    throw Failed(path + ": is " + notAnUprightPicture);
-  }
-  return image;
-}
 
 void requireOutputs(const Options& options, std::vector<NamedFile> read, const std::vector<NamedFile>& inside)
 {

@@ -26,9 +26,6 @@ void assemble(const Options& options);
 // saved is passed by as it was then, with its reason. As runSystem else.
 void replay(const Options& options);
 
-// A picture or a grid of heights. Throws Failed where it is none.
-oversketch_session::Image readImage(const std::string& path, oversketch_session::SystemInput::Kind kind);
-
 // A file's part in the run ("the mesh", "--report"), and its path.
 using NamedFile = std::pair<std::string, std::string>;
 // Throws BadUse where a file would be replaced that is read, or written as well: mesh, report, picture and

@@ -176,8 +176,14 @@ endmacro ()
 
 # oversketch_module_options(<module>): how the sources of a VTK module of ours are compiled.
 function (oversketch_module_options module)
-  vtk_module_compile_options(${module} PRIVATE ${oversketch_filter_warnings})
   get_property(target TARGET ${module} PROPERTY ALIASED_TARGET)
+  oversketch_library_options(${target})
+endfunction ()
+
+# oversketch_library_options(<target>): the same for a library that becomes a part of one.
+function (oversketch_library_options target)
+  target_compile_options(${target} PRIVATE ${oversketch_filter_warnings})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   oversketch_precompile(${target} modules
     HEADERS ${oversketch_std_headers} ${oversketch_eigen_headers} ${oversketch_vtk_headers}
     LIBRARIES Eigen3::Eigen ${oversketch_vtk_targets} POSITION_INDEPENDENT)

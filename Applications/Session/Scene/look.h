@@ -7,6 +7,8 @@
 #include <array>
 #include <optional>
 
+class vtkCamera;
+
 namespace oversketch_session
 {
 
@@ -29,6 +31,10 @@ struct Look
            this->shift == other.shift && this->size == other.size && this->upAxis == other.upAxis;
   }
 };
+
+// That of a camera, without the size of its view; and a camera that looks so.
+Look lookOf(vtkCamera* camera);
+void lookAs(const Look& look, vtkCamera* camera);
 
 } // namespace oversketch_session
 #endif

@@ -439,15 +439,7 @@ bool Viewport::showsKeys() const
 
 Look lookOf(Viewport& view)
 {
-  vtkCamera* camera = view.renderer()->GetActiveCamera();
-  Look look;
-  camera->GetPosition(look.position.data());
-  camera->GetFocalPoint(look.focus.data());
-  camera->GetViewUp(look.up.data());
-  look.angle = camera->GetViewAngle();
-  look.height = camera->GetParallelScale();
-  look.parallel = camera->GetParallelProjection() != 0;
-  camera->GetWindowCenter(look.shift.data());
+  Look look = oversketch_session::lookOf(view.renderer()->GetActiveCamera());
   look.size = view.fittedSize();
   look.upAxis = view.camera()->GetUpAxis();
   return look;
@@ -456,13 +448,7 @@ Look lookOf(Viewport& view)
 void lookAs(const Look& look, Viewport& view)
 {
   vtkCamera* camera = view.renderer()->GetActiveCamera();
-  camera->SetPosition(look.position.data());
-  camera->SetFocalPoint(look.focus.data());
-  camera->SetViewUp(look.up.data());
-  camera->SetViewAngle(look.angle);
-  camera->SetParallelScale(look.height);
-  camera->SetParallelProjection(look.parallel);
-  camera->SetWindowCenter(look.shift[0], look.shift[1]);
+  oversketch_session::lookAs(look, camera);
   if (look.size)
   {
     oversketch::CameraState state(camera);
