@@ -1,5 +1,6 @@
 """Debian's Chromium, driven by the DevTools protocol through two pipes, and a server of the page."""
 import base64
+import fcntl
 import itertools
 import json
 import os
@@ -24,14 +25,15 @@ class Browser:
     def __init__(self, folder):
         ours, its = os.pipe(), os.pipe()
         # The protocol's pipes are 3 and 4 of the browser.
-        script = f"exec 3<&{ours[0]} 4>&{its[1]} {ours[0]}<&- {its[1]}>&-; exec chromium \"$@\""
+        given = [fcntl.fcntl(one, fcntl.F_DUPFD, 10) for one in (ours[0], its[1])]
+        script = f"exec 3<&{given[0]} 4>&{given[1]}; exec chromium \"$@\""
         self.process = subprocess.Popen(
             ["bash", "-c", script, "chromium", "--headless=new", "--remote-debugging-pipe", "--no-sandbox", "--disable-gpu", "--no-first-run",
              "--disable-dev-shm-usage", "--disable-background-timer-throttling", "--disable-renderer-backgrounding",
              f"--user-data-dir={folder}", "about:blank"],
-            pass_fds=[ours[0], its[1]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-        os.close(ours[0])
-        os.close(its[1])
+            pass_fds=given, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        for one in (ours[0], its[1], *given):
+            os.close(one)
         self.to, self.back, self.heard, self.numbers = ours[1], its[0], b"", itertools.count(1)
         self.events, self.answers = [], {}
 
