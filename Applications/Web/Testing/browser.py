@@ -105,14 +105,14 @@ class Page:
 
     def until(self, expression, patience=PATIENCE):
         end = time.monotonic() + patience
-        while not (value := self.of(expression)):
+        while not (value := self.of(f"!!({expression})")):
             assert time.monotonic() < end, (expression, self.of("document.body.innerText.slice(-600)"))
             time.sleep(0.02)
         return value
 
     def ready(self):
         """The model is seen."""
-        self.until("document.readyState === 'complete' && +document.getElementById('view').dataset.frame > 0 && !!document.title.includes('–')")
+        self.until("document.readyState === 'complete' && document.getElementById('view').dataset.model === 'true'")
         self.rests()
         return self
 
@@ -247,3 +247,11 @@ def serve(tmp_path):
     for server in servers:
         if server.process.poll() is None:
             server.close()
+
+
+def replayed(session, file):
+    """The bytes of the mesh that the command makes of a session."""
+    done = subprocess.run([os.environ["OVERSKETCH_COMMAND"], "replay", str(session), "-o", str(file)], capture_output=True, text=True,
+                          env={**os.environ, "OVERSKETCH_OPENCL": "off"})
+    assert done.returncode == 0, done.stderr
+    return file.read_bytes()

@@ -398,18 +398,18 @@ class Studio:
 
     def came(self):
         """A result has come."""
-        count = self.session.GetNumberOfPieces()
-        self.view.show([(self.session.GetPieceMesh(k), self.session.GetPiecePicture(k)) for k in range(count)])
-        if self.fresh and count > 0:
+        pieces = [(self.session.GetPieceMesh(k), self.session.GetPiecePicture(k)) for k in range(self.session.GetNumberOfPieces())]
+        self.view.show(pieces)
+        if self.fresh and any(mesh.GetNumberOfPoints() for mesh, _ in pieces):
             self.fresh = False
             if not self.session.GetLook(self.view.camera):
                 self.view.look("front")
             self.view.style.SaveFirstView()
         step = self.drawing()
-        if step is not None and "Picture" in step["inputs"] and self.picture is None and count and self.session.GetPiecePicture(0):
+        if step is not None and "Picture" in step["inputs"] and self.picture is None and pieces and pieces[0][1]:
             self.picture, writer = f"picture-{time.time_ns()}.png", vtkPNGWriter()  # of a session that was opened
             writer.SetFileName(str(self.files / self.picture))
-            writer.SetInputData(self.session.GetPiecePicture(0))
+            writer.SetInputData(pieces[0][1])
             writer.Write()
         self.done = self.drawn
         self.select(self.selected)
@@ -434,7 +434,7 @@ class Studio:
             pixels = (eye.seen(places)[:, :2] * [1.0, -1.0] + [0.0, self.view.size[1]]) / self.view.share
             held.setdefault(name, []).append(pixels.round(1).tolist())
         self.frame, self.seen, self.sharp = self.frame + 1, False, not moves
-        self.send(2, {"frame": self.frame, "done": self.done, "held": held}, picture)
+        self.send(2, {"frame": self.frame, "done": self.done, "model": not self.fresh, "held": held}, picture)
 
     def hear(self, message):
         """Does what a message asks for, or says why not."""

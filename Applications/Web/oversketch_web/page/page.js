@@ -94,7 +94,7 @@ async function frame(bytes) {
   if (done.length && model.does !== "drag") moved = null;
   waiting = waiting.filter(one => one.number > meta.done);
   model.paint();
-  Object.assign($("view").dataset, meta.held && { frame: meta.frame, done: meta.done });
+  Object.assign($("view").dataset, { frame: meta.frame, done: meta.done, model: meta.model });
 }
 
 // The drawing, in shares of what is drawn on, and the section of an edit, in its own plane: from ring to ring, outward up.
