@@ -1,5 +1,6 @@
 """Serves the page, starts a process for each visitor, and passes messages between its browser and that."""
 import asyncio
+import contextlib
 import os
 import pathlib
 import re
@@ -72,10 +73,8 @@ class Visitor:
                 if kind == 0:
                     self.asked = 0.0
                 elif self.browser is not None and not self.browser.closed:
-                    try:
+                    with contextlib.suppress(ConnectionError, RuntimeError):  # the tab is closed
                         await (self.browser.send_bytes(payload) if kind == 2 else self.browser.send_str(payload.decode()))
-                    except (ConnectionError, RuntimeError):
-                        pass  # the tab is closed
         except (asyncio.IncompleteReadError, ConnectionError):
             pass
         await process.wait()
@@ -89,11 +88,8 @@ class Visitor:
             self.writer.write(struct.pack(">I", len(payload)) + payload)
 
     def stop(self, why=signal.SIGTERM):
-        if self.process is not None:
-            try:
-                self.process.send_signal(why)
-            except ProcessLookupError:
-                pass
+        with contextlib.suppress(ProcessLookupError):
+            self.process and self.process.send_signal(why)
 
 
 class Front:

@@ -23,7 +23,7 @@ from .view import View
 models = (".ply", ".obj", ".off", ".stl", ".glb", ".gltf", ".vtp", ".oversketch")
 pictures = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff")
 formats = ("ply", "obj", "glb", "stl", "off", "vtp")
-still, rests = 0.15, 1.0  # s without a message, until the picture is made fine and the session is kept
+still, rests = 0.15, 1.0  # s without a message, until the picture is made fine and the session is kept, or longer where that takes long
 # The lines of each system's step, in the order in which they are drawn; a pose's course comes when its bone is seen.
 lines = {"OneStroke": ["Stroke"], "Augment": ["Strokes"], "Relax": ["Strokes"], "Mask": ["Strokes"], "Pose": ["Bone", "Pose"],
          "Edit": ["Reference", "Boundary"]}
@@ -39,7 +39,7 @@ class Studio:
     """What a visitor does: a message of the page is a method's name with its arguments."""
 
     asked = {"hello", "bye", "ping", "size", "got", "hand", "zoom", "key", "look", "open", "canvas", "stroke", "drop", "select", "drag",
-             "section", "profile", "change", "paper", "trace", "turn", "remove", "sight", "undo", "redo", "cancel", "save", "export"}
+             "section", "profile", "change", "paper", "trace", "act", "sight", "cancel", "save", "export"}
     quiet = {"hello", "bye", "ping", "size", "got", "hand", "zoom", "profile"}  # leave what is said where it is
 
     def __init__(self, folder, shared, seconds, send):
@@ -51,6 +51,7 @@ class Studio:
         self.drawn = self.done = 0  # lines that have come, and of which the mesh is shown
         self.frame, self.seen, self.sharp, self.watched = 0, True, False, False  # the last picture, and whether the page has it
         self.moved = self.changed = self.began = 0.0
+        self.rests = rests
         self.clear(None)
 
     def clear(self, picture):
@@ -59,6 +60,7 @@ class Studio:
         self.pending, self.of = [], None  # lines that wait for the next one, of a system and a step that is drawn anew
         self.before = {}  # meshes that edits were drawn on
         self.fresh = True  # the next mesh is looked at anew
+        self.after = ""  # a message that waits for what is being made
 
     # What the page asks for.
 
@@ -200,12 +202,11 @@ class Studio:
         self.check(self.session.AddStroke(step["id"], strokes.drawing(points, canvas, size, bool(magnetic and self.picture))))
         self.run()
 
-    def turn(self, id, on):
-        self.check(self.session.SetStepOn(int(id), bool(on)))
-        self.run()
-
-    def remove(self, id):
-        self.check(self.session.RemoveStep(int(id)))
+    def act(self, what, arguments=()):
+        """A method of the session that changes its steps."""
+        if what not in ("Undo", "Redo", "SetStepOn", "RemoveStep"):
+            raise Refused(f"{what} is nothing that can be asked for.")
+        self.check(getattr(self.session, what)(*arguments))
         self.run()
 
     def sight(self, id):
@@ -215,14 +216,6 @@ class Studio:
             if strokes.isDrawn(self.source(step, name)) and self.view.style.LookFrom(self.source(step, name)):
                 break
         self.view.dirty = True
-
-    def undo(self):
-        self.check(self.session.Undo())
-        self.run()
-
-    def redo(self):
-        self.check(self.session.Redo())
-        self.run()
 
     def cancel(self):
         self.session.Cancel()
@@ -304,12 +297,13 @@ class Studio:
 
     def keep(self):
         """Writes the session where the next process finds it."""
-        self.changed = 0.0
+        self.changed, began = 0.0, time.monotonic()
         new = self.folder / "new.oversketch"
         self.session.SetLook(self.view.camera, *self.view.size)
         if self.session.Save(str(new)):
             (self.folder / "name").write_text(self.name)
             new.rename(self.kept)
+        self.rests = max(rests, 5.0 * (time.monotonic() - began))
 
     def offer(self, ending, write):
         """Writes a file for the browser to take."""
@@ -443,6 +437,9 @@ class Studio:
             work = said.pop("do")
             if work not in self.asked:
                 raise Refused(f"{work} is nothing that can be asked for.")
+            if work in ("save", "export") and self.session.IsRunning():
+                self.after = message
+                return
             self.message = self.message if work in self.quiet else ""
             getattr(self, work)(**said)
         except (Refused, ValueError, TypeError, KeyError, IndexError, AttributeError, OSError, MemoryError) as error:
@@ -460,11 +457,14 @@ class Studio:
         elif running and now - self.began > self.seconds:
             self.message = f"That took longer than {self.seconds} seconds, the most here, and is given up."
             self.cancel()
+        if self.after and not running:
+            message, self.after = self.after, ""
+            self.hear(message)
         if self.watched and self.seen and (self.view.dirty or not self.sharp and now - self.moved >= still):
             self.show()
-        if self.changed and not running and now - max(self.changed, self.moved) > rests:
+        if self.changed and not running and now - max(self.changed, self.moved) > self.rests:
             self.keep()
-        return 0.008 if running else still if self.watched and not self.sharp else rests if self.changed else None
+        return 0.008 if running else still if self.watched and not self.sharp else self.rests if self.changed else None
 
 
 def main():

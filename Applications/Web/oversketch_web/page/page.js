@@ -29,6 +29,7 @@ let cut = {}, listed = "", formed = "", next = null, later = null;
 const values = {};
 
 const say = (work, more = {}) => socket?.readyState === 1 && socket.send(JSON.stringify({ do: work, ...more }));
+const act = (what, ...given) => say("act", { what, arguments: given });
 const scaled = length => length * window.devicePixelRatio;
 const chosen = () => state.steps.find(step => step.id === state.selected);
 
@@ -197,7 +198,7 @@ function list() {
   $("steps").replaceChildren(...state.steps.map(step => {
     const { id, name, on } = step, is = id === state.selected, note = [step.failure, ...step.remarks].filter(Boolean).join(" ");
     const box = element("input", { type: "checkbox", checked: on, title: "A step that is off does nothing", ariaLabel: `${name} acts`,
-      onchange: () => say("turn", { id, on: box.checked }) });
+      onchange: () => act("SetStepOn", id, box.checked) });
     const acts = element("div", { className: "acts", hidden: !is },
       button("Redraw", () => {
         redraws = id;
@@ -205,7 +206,7 @@ function list() {
         show();
       }, "The next line takes its place"),
       button("View", () => say("sight", { id }), "From where it was drawn"),
-      button("Delete", () => say("remove", { id })));
+      button("Delete", () => act("RemoveStep", id)));
     return element("li", { ariaCurrent: is }, element("label", { className: "tick" }, box),
       button(name, () => say("select", { id: is ? 0 : id })), acts, element("small", { hidden: !note }, note));
   }));
@@ -237,6 +238,7 @@ function form(step) {
 // Files.
 
 function send(file) {
+  state.message = "";
   const asked = new XMLHttpRequest();
   asked.open("POST", `upload?name=${encodeURIComponent(file.name)}`);
   asked.upload.onprogress = ({ loaded, total }) => veil(`Sending ${file.name}: ${Math.round(100 * loaded / total)} %`);
@@ -274,7 +276,8 @@ $("own").onclick = () => {
 };
 $("open").onclick = () => $("offered").children.length > 1 ? $("files").showModal() : $("file").click();
 $("canvas").onclick = () => begin("canvas", { width: 1024, height: 768 });
-for (const id of ["save", "undo", "redo", "cancel"]) $(id).onclick = () => say(id);
+for (const id of ["save", "cancel"]) $(id).onclick = () => say(id);
+[$("undo").onclick, $("redo").onclick] = [() => act("Undo"), () => act("Redo")];
 $("history").onclick = () => ($("history").ariaExpanded = document.querySelector("aside").classList.toggle("open"));
 for (const [id, name] of [["export", "format"], ["look", "side"]]) {
   $(id).onchange = () => {
@@ -301,7 +304,7 @@ document.onkeydown = event => {
   if (pressed) pressed.click();
   else if (control) return;
   else if (key === "escape" || key === "enter") [redraws] = [0, say("drop")];
-  else if (key === "delete") say("remove", { id: state.selected });
+  else if (key === "delete") act("RemoveStep", state.selected);
   else if (key === "5" || key === "home") say("look", { side: key === "5" ? "projection" : "all" });
   else if (key.length === 1 && "xyz123imjkrlhpnwc".includes(key)) say("key", { name: key, shift: event.shiftKey });
   else return;
