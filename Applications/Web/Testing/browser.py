@@ -128,9 +128,10 @@ class Page:
         return self.of(f"(b => [b.left, b.top, b.width, b.height])(document.querySelector({json.dumps(selector)}).getBoundingClientRect())")
 
     def click(self, selector):
-        self.of(f"document.querySelector({json.dumps(selector)}).scrollIntoView({{ block: 'nearest', inline: 'nearest' }})")
+        found = f"document.querySelector({json.dumps(selector)})"
+        self.until(f"{found}?.offsetParent")
+        self.of(f"{found}.scrollIntoView({{ block: 'nearest', inline: 'nearest' }})")
         left, top, width, height = self.box(selector)
-        assert width > 0 and height > 0, f"{selector} is not seen"
         for kind in ("mousePressed", "mouseReleased"):
             self.mouse(kind, left + width / 2, top + height / 2, button="left", clickCount=1)
 

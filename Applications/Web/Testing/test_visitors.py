@@ -205,6 +205,72 @@ def test_an_upload_of_100_mb_is_opened(browser, serve, tmp_path):  # noqa: F811
     assert not page.of("document.getElementById('advice').classList.contains('said')"), page.advice
 
 
+def test_a_newcomers_tasks_take_as_many_actions_as_in_the_window_or_one_more(browser, serve, tmp_path):  # noqa: F811
+    """Those of Testing/Studio/TASKS.md, the first ten; a name in the system's own dialogue and Return count two, as they do there."""
+    page = browser.page(serve(MODELS / "dog.ply").link).ready()
+    taken = []
+
+    def act(work, count=1):
+        taken[-1] += count
+        work()
+
+    def task(*acts):
+        taken.append(0)
+        for one in acts:
+            act(*one) if isinstance(one, tuple) else act(one)
+        page.rests()
+
+    def drawn(line, selector="#pen"):
+        def work():
+            before = int(page.of("document.getElementById('view').dataset.done"))
+            page.draw(line, selector=selector)
+            page.done(before + 1)
+        return work
+
+    def slid():  # the thumb of the profile's sharpness
+        left, top, width, height = page.box("[name=Sharpness]")
+        share = page.of("(f => f.value / f.max)(document.querySelector('[name=Sharpness]'))")
+        page.mouse("mousePressed", left + 8 + share * (width - 16), top + height / 2, button="left", clickCount=1)
+        page.mouse("mouseMoved", left + width / 2, top + height / 2, button="left", buttons=1)
+        page.mouse("mouseReleased", left + width / 2, top + height / 2, button="left", clickCount=1)
+
+    page.ask("Page.setInterceptFileChooserDialog", enabled=True)
+    task(lambda: page.click("#open"), (lambda: page.open(MODELS / "person.ply"), 2))
+    page.until("document.title.startsWith('person')")
+    page.rests()
+    page.open(MODELS / "dog.ply")
+    page.until("document.title.startsWith('dog')")
+    page.rests()
+    task(drawn(ARCH))
+    assert page.rows == ["Stroke 1"]
+    task(lambda: page.click("#undo"))
+    page.until("document.querySelectorAll('#steps li').length === 0")
+    page.draw(ARCH)
+    page.done(2)
+    task(lambda: page.click("[data-tool=line]"), drawn([(0.37 + 0.011 * k, 0.46) for k in range(18)]))
+    before = page.of("document.querySelector('[name=Sharpness]').value")
+    task(slid)
+    page.until(f"document.querySelector('[name=Sharpness]').value !== '{before}'")
+    page.rests()
+    task(lambda: page.click("#steps li > button"), lambda: page.click("#steps li:first-child .acts button"), drawn([(x, y + 0.02, p) for x, y, p in ARCH]))
+    assert page.rows == ["Stroke 1", "Line 2"]
+    page.click("[data-tool=outline]")
+    task((lambda: page.choose("#mirror", "2"), 2), drawn([(x + 0.33, y, p) for x, y, p in ARCH]))
+    assert page.rows[-1] == "Stroke 3"
+    page.choose("#mirror", "")
+    circled = [*circle(0.5, 0.5, 0.4, 0.15), (0.9, 0.5)]
+    task(lambda: page.click("#open"), (lambda: page.open(SOURCE / "Data" / "Drawings" / "fish.png"), 2),
+         (lambda: page.until("!document.getElementById('pad').hidden && document.getElementById('under').naturalWidth > 1"), 0),
+         drawn(circled, "#lines"))
+    glb = []
+    task((lambda: glb.append(page.download(lambda: page.choose("#export", "glb"), tmp_path / "glb")), 2))
+    assert b"image/" in glb[0].read_bytes()
+    task(lambda: glb.append(page.download(lambda: page.click("#save"), tmp_path / "session")), lambda: replayed(glb[1], tmp_path / "replayed.ply"))
+    window = [3, 1, 1, 2, 1, 3, 3, 4, 3, 4]
+    print("actions on the page", taken, "and in the window", window)
+    assert len(taken) == 10 and all(here <= there + 1 for here, there in zip(taken, window))
+
+
 @pytest.mark.parametrize("number", range(20 if os.environ.get("OVERSKETCH_FULL") else 2))
 def test_after_200_random_events_the_page_still_draws(dog, number, tmp_path):
     """Pens, mice and keys anywhere; nothing throws on the page, and the session is what the command makes of it."""

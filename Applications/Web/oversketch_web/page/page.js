@@ -169,7 +169,8 @@ function show() {
   $("profile").hidden = step?.system !== "Edit" || !!state.waits;
   if (!$("profile").hidden && cut.id !== step.id) say("profile", { id: (cut = { id: step.id }).id });
   section.paint();
-  const wrong = state.message || !state.busy && step?.failure;
+  const shown = tool === "drawing" ? state.steps.find(one => one.id === state.drawing?.id) : step;
+  const wrong = state.message || !state.busy && shown?.failure;
   $("advice").textContent = wrong || (state.busy && state.stage ? `${state.stage} …` : advice(step));
   $("advice").classList.toggle("said", !!wrong);
   list();
