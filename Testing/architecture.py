@@ -11,7 +11,7 @@ import sys
 
 PAGE = pathlib.Path(__file__).resolve().parents[1] / "ARCHITECTURE.md"
 BEGIN, END = "<!-- written by Testing/architecture.py -->\n", "<!-- end -->"
-ROOMS = {"Applications": r"oversketch", "Widgets": r"Widgets", "Filters": r"Filters", "Kernels": r"Kernels"}
+ROOMS = {"Applications": r"oversketch|Session", "Widgets": r"Widgets", "Filters": r"Filters", "Kernels": r"Kernels"}
 
 
 def needed(path):

@@ -102,7 +102,7 @@ def faults(root):
     for page in sorted(documentation.glob("*.md")):
         if page != index and page.name not in linked:
             yield index, 1, f"does not link {page.name}"
-    for room, name in (("Filters", "filters.md"), ("Widgets", "widgets.md")):
+    for room, name in (("Filters", "filters.md"), ("Widgets", "widgets.md"), ("Applications/Session", "session.md")):
         page = documentation / name
         said = set(re.findall(r"\w+", page.read_text())) if page.exists() else set()
         for each, header in classes(root, room).items():

@@ -19,7 +19,8 @@ if subprocess.run(sys.argv[1:3]).returncode:
     sys.exit("Doxygen found something to say about the headers")
 source, pages = pathlib.Path(__file__).resolve().parents[1], pathlib.Path(sys.argv[3]) / "html"
 classes = 0
-for header in [*source.glob("Filters/*/vtkOversketch*.h"), *source.glob("Widgets/*/vtkOversketch*.h")]:
+for header in [*source.glob("Filters/*/vtkOversketch*.h"), *source.glob("Widgets/*/vtkOversketch*.h"),
+               *source.glob("Applications/Session/Module/vtkOversketch*.h")]:
     text = header.read_text()
     if f"vtkTypeMacro({header.stem}," not in text:
         continue  # shared by the filters inside the project

@@ -91,6 +91,7 @@ message(STATUS "has ${targets};")
     ("KernelsSparse", "OpenCL_FOUND", "VTK_FOUND"),
     ("FiltersOneStroke", "VTK_CommonExecutionModel_FOUND", "VTK_RenderingCore_FOUND"),
     ("WidgetsOneStroke", "VTK_RenderingCore_FOUND", "VTK_GUISupportQt_FOUND"),
+    ("Session", "VTK_RenderingCore_FOUND", "VTK_GUISupportQt_FOUND"),
 ])
 def test_only_what_a_component_needs_is_looked_for(prefix, tmp_path, component, has, lacks):
     configure(prefix, tmp_path / component, f"""

@@ -85,9 +85,9 @@ def test_control(debs, name):
     needs = field(debs[name], "Depends")
     assert name == "liboversketch" or f"liboversketch (= {VERSION})" in needs
     expected = {
-        "liboversketch": [r"libvtk9\.\d", r"libembree\d", r"libc6 \(>="],
+        "liboversketch": [r"libvtk9\.\d", r"libembree\d", r"libc6 \(>=", r"libarchive13\w* \(>=", r"libgdal\d"],
         "liboversketch-dev": ["libvtk9-dev", "libeigen3-dev", "ocl-icd-opencl-dev"],
-        "oversketch": [r"libqt5widgets5\w* \(>=", r"libarchive13\w* \(>=", r"libvtk9\.\d\w*-qt", r"libgdal\d"],
+        "oversketch": [r"libqt5widgets5\w* \(>=", r"libarchive13\w* \(>=", r"libvtk9\.\d\w*-qt"],
         "python3-oversketch": ["python3-vtk9", "python3-numpy", r"python3 \(>= 3\.\d+\), python3 \(<< 3\.\d+\)", r"libvtk9\.\d"],
     }
     for need in expected[name]:
@@ -111,6 +111,9 @@ def test_each_file_is_in_one_package_and_the_right_one(debs):
         "/usr/share/oversketch/Models/dog.ply": "oversketch",
         "/usr/include/oversketch/vtkOversketchOneStroke.h": "liboversketch-dev",
         "/usr/include/oversketch/Kernels/Mesh/mesh.h": "liboversketch-dev",
+        "/usr/bin/oversketch-web": "python3-oversketch",
+        "/usr/share/man/man1/oversketch-web.1.gz": "python3-oversketch",
+        "/usr/lib/python3/dist-packages/oversketch_web/page/index.html": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/__init__.py": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/__init__.pyi": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/py.typed": "python3-oversketch",
@@ -120,7 +123,7 @@ def test_each_file_is_in_one_package_and_the_right_one(debs):
     for file, name in wanted.items():
         assert owners.get(file) == name, file
     for file, name in owners.items():
-        if re.search(r"\.so\.\d", file):
+        if re.search(r"\.so\.\d|/liboversketch_raster\.so$", file):
             assert name == "liboversketch", file
         elif file.endswith((".h", ".cmake", ".so")) and "python3" not in file:
             assert name == "liboversketch-dev", file
@@ -170,6 +173,8 @@ def test_the_unpacked_python_package_is_loaded(root, environment, tmp_path):
 import oversketch
 assert oversketch.__file__.startswith({str(root)!r}) and oversketch.__version__ == {VERSION!r}
 oversketch.vtkOversketchStrokeWidget()
+session = oversketch.vtkOversketchSession()
+assert session.Open({str(MODEL)!r}) and session.Update(), session.GetMessage()
 """
     run(sys.executable, "-c", program, env=environment, cwd=tmp_path)
 
@@ -188,7 +193,8 @@ def test_man_pages_name_every_command_and_option(root, environment):
     summary = run(root / "usr" / "bin" / "oversketch", "--help", env=environment)
     verbs = sorted(set(re.findall(r"^  oversketch ([a-z][a-z-]+) ", summary, re.M)))
     assert verbs == ["assemble", "augment", "edit", "inflate", "mask", "one-stroke", "pose", "relax", "replay", "terrain", "transform"]
-    for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]])):
+    for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]]),
+                           ("oversketch-web", [["--help"]])):
         page = gzip.open(folder / (program + ".1.gz"), "rt").read()
         assert f"Oversketch {VERSION}" in page and "@" not in page
         text = page.replace("\\-", "-")

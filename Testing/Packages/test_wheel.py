@@ -51,7 +51,7 @@ def test_its_name_and_what_it_holds(wheel):
     assert wheel.name.startswith(f"oversketch-{VERSION}-{python}-{python}-linux_")
     names = zipfile.ZipFile(wheel).namelist()
     libraries = [name for name in names if name.startswith("oversketch/lib/")]
-    assert len(libraries) > 10 and all(re.fullmatch(r"oversketch/lib/libOversketch\w+\.so", name) for name in libraries)
+    assert len(libraries) > 10 and all(re.fullmatch(r"oversketch/lib/lib[Oo]versketch\w+\.so", name) for name in libraries)
     stubs = {name.removesuffix(".pyi") for name in names if name.endswith(".pyi")}
     modules = {name.removesuffix(".so") for name in names if re.fullmatch(r"oversketch/Oversketch\w+\.so", name)}
     assert len(modules) > 5 and stubs == modules | {"oversketch/__init__"}

@@ -43,6 +43,10 @@ void BackgroundRun::answer(std::uint64_t ticket)
 
 std::uint64_t BackgroundRun::start(const Model& model)
 {
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Now = {};
+  }
   this->Ticket = this->Runner.submit(model);
   return this->Ticket;
 }

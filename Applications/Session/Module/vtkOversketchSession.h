@@ -29,6 +29,11 @@
 
 #include <memory> // For what is held
 
+namespace oversketch_session
+{
+class SessionState;
+}
+
 class vtkCamera;
 class vtkImageData;
 class vtkPolyData;
@@ -145,7 +150,7 @@ public:
    */
   const char* GetSteps();
   /**
-   * The lines of a step's input; null where it has none.
+   * The lines of a step's input, until the next call; null where it has none.
    */
   vtkPolyData* GetStepInput(int id, const char* name);
   /**
@@ -234,8 +239,7 @@ private:
 
   template <typename Act>
   bool Try(Act act);
-  struct Internals;
-  const std::unique_ptr<Internals> Held;
+  const std::unique_ptr<oversketch_session::SessionState> Held;
 };
 
 #endif

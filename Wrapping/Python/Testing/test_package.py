@@ -12,7 +12,8 @@ import oversketch
 SOURCE = pathlib.Path(os.environ["OVERSKETCH_SOURCE"])
 HEADERS = sorted(
     p
-    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/*/vtkOversketch*.h")]
+    for p in [*SOURCE.glob("Filters/*/vtkOversketch*.h"), *SOURCE.glob("Widgets/*/vtkOversketch*.h"),
+              *SOURCE.glob("Applications/Session/Module/*.h")]
     if re.search(r"^class \w+_EXPORT vtk", p.read_text(), re.M)
 )
 CONCRETE = [h for h in HEADERS if f"static {h.stem}* New();" in h.read_text()]  # the others are bases
@@ -46,7 +47,7 @@ def test_class_is_exported_and_parameters_are_seen_and_printed(header):
 
 
 # What must be there before these can be set.
-NEEDED = {"Enabled": "an interactor", "ParallelProjection": "a camera", "Zoom": "a camera", "Spin": "a camera", "SectionFollows": "a section"}
+NEEDED = {"Enabled": "an interactor", "ParallelProjection": "a camera", "Zoom": "a camera", "Spin": "a camera", "SectionFollows": "a section", "Model": "a scene of several"}
 
 
 def others(value):
