@@ -9,7 +9,7 @@ oversketch_packages=(
   libopencv-core-dev libopencv-imgproc-dev libopencv-photo-dev libgdal-dev
   ocl-icd-opencl-dev opencl-clhpp-headers pocl-opencl-icd libsuitesparse-dev libtbb-dev
   libarchive-dev libexpat1-dev libgtest-dev libbenchmark-dev python3-dev python3-pytest python3-pip python3-venv python3-matplotlib mypy
-  python3-xlib chromium xvfb xauth libgl1-mesa-dri doxygen at-spi2-core dbus-daemon gir1.2-atspi-2.0 python3-gi
+  python3-xlib xvfb xauth libgl1-mesa-dri doxygen at-spi2-core dbus-daemon gir1.2-atspi-2.0 python3-gi
   dpkg-dev file)
 oversketch_debian=$(. /etc/os-release && echo "${VERSION_ID:-13}") # testing has none
 if [ "$oversketch_debian" -ge 13 ]; then # with them the tests of the wheel and of PyVista need no package index

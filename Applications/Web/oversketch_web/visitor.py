@@ -405,7 +405,7 @@ class Studio:
             writer.SetFileName(str(self.files / self.picture))
             writer.SetInputData(pieces[0][1])
             writer.Write()
-        self.done = self.drawn
+        self.done, self.moved = self.drawn, time.monotonic()  # the first picture of it may be a coarse one
         self.select(self.selected)
 
     def tell(self):

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import atexit
+import importlib
 import pathlib
 import shutil
 import subprocess
@@ -22,7 +23,6 @@ def show(mesh: vtkPolyData, height: int = 600) -> Any:
     Returns an IPython.display.IFrame. Its server is this machine's own, and ends with this Python. Raises RuntimeError, in its
     words, where it does not start; it needs oversketch-web, which the Debian package has and the wheel has not.
     """
-    from IPython.display import IFrame
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
     folder = pathlib.Path(tempfile.mkdtemp(prefix="oversketch-show-"))
@@ -38,4 +38,4 @@ def show(mesh: vtkPolyData, height: int = 600) -> Any:
     if not link:
         raise RuntimeError(server.stderr.read().strip())
     atexit.register(server.terminate)
-    return IFrame(link, "100%", height)
+    return importlib.import_module("IPython.display").IFrame(link, "100%", height)
