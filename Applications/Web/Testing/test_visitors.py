@@ -257,6 +257,11 @@ def test_a_newcomers_tasks_take_as_many_actions_as_in_the_window_or_one_more(bro
     page.click("[data-tool=outline]")
     task((lambda: page.choose("#mirror", "2"), 2), drawn([(x + 0.33, y, p) for x, y, p in ARCH]))
     assert page.rows[-1] == "Stroke 3"
+    page.click("#undo")  # it and its mirror are one step
+    page.until("document.querySelectorAll('#steps li').length === 2")
+    page.click("#redo")
+    page.until("document.querySelectorAll('#steps li').length === 3")
+    page.rests()
     page.choose("#mirror", "")
     circled = [*circle(0.5, 0.5, 0.4, 0.15), (0.9, 0.5)]
     task(lambda: page.click("#open"), (lambda: page.open(SOURCE / "Data" / "Drawings" / "fish.png"), 2),

@@ -58,7 +58,7 @@ class Studio:
         self.picture, self.pixels = picture, (0, 0)  # name of the file under the drawing, and its size, which the page knows
         self.selected, self.held = 0, []  # a step, and its lines on the model
         self.pending, self.of = [], None  # lines that wait for the next one, of a system and a step that is drawn anew
-        self.before = {}  # meshes that edits were drawn on
+        self.before, self.mirrored = {}, set()  # meshes that edits were drawn on; steps that were drawn with a mirror
         self.fresh = True  # the next mesh is looked at anew
         self.after = ""  # a message that waits for what is being made
 
@@ -206,7 +206,10 @@ class Studio:
         """A method of the session that changes its steps."""
         if what not in ("Undo", "Redo", "SetStepOn", "RemoveStep"):
             raise Refused(f"{what} is nothing that can be asked for.")
-        self.check(getattr(self.session, what)(*arguments))
+        work = getattr(self.session, what)
+        self.check(work(*arguments))
+        if what.endswith("do") and any(step["id"] in self.mirrored and step["mirror"] is None for step in self.steps()):
+            work()  # a step and its mirror are one
         self.run()
 
     def sight(self, id):
@@ -381,6 +384,7 @@ class Studio:
         if mirror in (0, 1, 2):
             low, high = mesh.GetBounds()[2 * mirror:2 * mirror + 2]
             middle = 0.5 * (low + high)  # as in the window: models are made about the origin
+            self.mirrored.add(self.selected)
             self.check(self.session.SetMirror(self.selected, mirror, middle if abs(middle) > 0.1 * (high - low) else 0.0))
         self.run()
 

@@ -88,6 +88,7 @@ async function frame(bytes) {
   [canvas.width, canvas.height] = [image.width, image.height];
   canvas.getContext("2d").drawImage(image, 0, 0);
   say("got", { frame: meta.frame });
+  if (meta.model) lost = 0;
   held = meta.held;
   for (const lines of Object.values(held)) for (const line of lines) for (const place of line) place.forEach((length, k) => place[k] = length / scaled(1));
   const done = waiting.filter(one => one.number <= meta.done);
@@ -171,10 +172,16 @@ function show() {
   section.paint();
   const shown = tool === "drawing" ? state.steps.find(one => one.id === state.drawing?.id) : step;
   const wrong = state.message || !state.busy && shown?.failure;
-  $("advice").textContent = wrong || (state.busy && state.stage ? `${state.stage} …` : advice(step));
+  $("advice").textContent = titled(wrong) || (state.busy && state.stage ? `${state.stage} …` : advice(step));
   $("advice").classList.toggle("said", !!wrong);
   list();
   form(step);
+}
+
+// A message with the titles of settings, which it calls by their properties.
+function titled(text) {
+  const all = Object.values(systems).flatMap(system => system.parameters);
+  return text && text.replace(/\b[A-Z]\w+[A-Z]\w*\b/g, word => all.find(one => one.property === word)?.title ?? word);
 }
 
 function advice(step) {
@@ -209,7 +216,7 @@ function list() {
       button("View", () => say("sight", { id }), "From where it was drawn"),
       button("Delete", () => act("RemoveStep", id)));
     return element("li", { ariaCurrent: is }, element("label", { className: "tick" }, box),
-      button(name, () => say("select", { id: is ? 0 : id })), acts, element("small", { hidden: !note }, note));
+      button(name, () => say("select", { id: is ? 0 : id })), acts, element("small", { hidden: !note }, titled(note)));
   }));
 }
 
@@ -318,7 +325,7 @@ function connect() {
   socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
   socket.binaryType = "arraybuffer";
   socket.onopen = () => {
-    [lost, waiting] = [0, []];
+    waiting = [];
     veil("");
     model.fit();
   };
