@@ -7,14 +7,18 @@ import random
 import signal
 import sys
 import time
+import types
 import urllib.error
 import urllib.request
 import zipfile
 
+import oversketch
 import pytest
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOPLY import vtkPLYReader
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
-from browser import MODELS, SOURCE, browser, replayed, serve  # noqa: E402, F401
+from browser import MODELS, SOURCE, Page, browser, replayed, serve  # noqa: E402, F401
 from test_page import ARCH  # noqa: E402
 
 SEED = int(os.environ.get("OVERSKETCH_SEED") or time.strftime("%Y%m%d"))
@@ -125,7 +129,7 @@ def test_visitors_see_nothing_of_each_other_and_a_closed_tab_is_kept(browser, se
     assert one.rows == ["Stroke 1"] and two.rows == []
     assert len(server.visitors()) == 2
     full = browser.page(server.link)
-    full.until("document.getElementById('veil').textContent.includes('As many visitors')")
+    full.until("document.getElementById('veil')?.textContent.includes('As many visitors')")
     link = one.of("location.href")
     one.close()
     again = browser.page(link).ready()
@@ -133,6 +137,32 @@ def test_visitors_see_nothing_of_each_other_and_a_closed_tab_is_kept(browser, se
     assert status(link + "files/../../name") == 404 and status(server.link + "v/unknown/") == 404
     assert status(server.link, Host="example.org") == 403  # a name that was bound to this machine
     assert status(link, Origin="http://example.org") == 403
+
+
+def test_a_notebooks_cell_has_the_page_with_its_mesh(browser, monkeypatch, tmp_path):  # noqa: F811
+    frame = types.SimpleNamespace(IFrame=lambda link, width, height: link)  # of IPython, which may be absent
+    monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(display=frame))
+    monkeypatch.setitem(sys.modules, "IPython.display", frame)
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    ball = vtkSphereSource()
+    ball.SetThetaResolution(24)
+    ball.Update()
+    cell = tmp_path / "cell.html"
+    cell.write_text(f'<iframe src="{oversketch.show(ball.GetOutput())}" width="800" height="600"></iframe>')
+    page = browser.page(cell.as_uri())
+    page.until("document.readyState === 'complete'")
+    frames = []
+    end = time.monotonic() + 60.0
+    while not frames:  # the frame is a target of its own
+        frames = [one for one in browser.ask("Target.getTargets")["targetInfos"] if one["type"] == "iframe" and "/v/" in one["url"]]
+        assert time.monotonic() < end
+    session = browser.ask("Target.attachToTarget", targetId=frames[0]["targetId"], flatten=True)["sessionId"]
+    inner = Page(browser, frames[0]["targetId"], session, page.context).ready()
+    file = inner.download(lambda: inner.choose("#export", "ply"), tmp_path / "mesh")
+    reader = vtkPLYReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    assert reader.GetOutput().GetNumberOfPoints() == ball.GetOutput().GetNumberOfPoints()
 
 
 def test_a_link_to_another_address_needs_its_token(serve):  # noqa: F811
@@ -185,6 +215,30 @@ def test_files_too_large_damaged_or_hostile_are_refused_and_the_session_stays(br
         archive.writestr("../../outside", "no")
     assert refused(hostile)
     assert not list(server.folder.rglob("outside"))
+
+
+def test_memory_and_time_of_a_visitor_are_bounded(browser, serve, tmp_path):  # noqa: F811
+    count, file = 1100, tmp_path / "grid.off"  # needs 900 MB
+    with open(file, "w") as out:
+        out.write(f"OFF\n{count ** 2} {2 * (count - 1) ** 2} 0\n")
+        out.writelines(f"{x} {y} {(x * y) % 7}\n" for y in range(count) for x in range(count))
+        for y in range(count - 1):
+            out.writelines(f"3 {a} {a + 1} {a + count}\n3 {a + 1} {a + count + 1} {a + count}\n"
+                           for a in range(y * count, (y + 1) * count - 1))
+    page = browser.page(serve(MODELS / "dog.ply", "--memory", 700).link).ready()
+    page.draw(ARCH)
+    page.done(1)
+    page.open(file)
+    page.until("document.getElementById('advice').textContent.includes('not enough memory')")
+    assert page.rows == ["Stroke 1"]
+    page.draw(ARCH[::-1])
+    page.done(2)
+    slow = browser.page(serve(file, "--seconds", 1).link).ready()
+    slow.draw([(0.3 + 0.2 * math.sin(k / 9) + 0.02 * k / 60, 0.2 + 0.6 * k / 60) for k in range(60)])
+    slow.click("[data-tool=line]")
+    slow.draw([(0.3 + 0.2 * math.sin(k / 3), 0.2 + 0.6 * k / 60) for k in range(60)])
+    slow.until("/took longer than 1 seconds|does not answer|too much/.test(document.getElementById('advice').textContent + document.getElementById('veil').textContent)")
+    slow.rests()
 
 
 def test_an_upload_of_100_mb_is_opened(browser, serve, tmp_path):  # noqa: F811

@@ -20,7 +20,7 @@ def options(arguments):
                         help="the address that is served [%(default)s]; of another one than this machine's own the link has a token")
     parser.add_argument("--port", type=int, default=8765, help="the port, 0 for any that is free [%(default)s]")
     parser.add_argument("--visitors", type=int, default=20, metavar="N", help="most processes at once [%(default)s]")
-    parser.add_argument("--memory", type=int, default=4096, metavar="MB", help="address space of each [%(default)s]")
+    parser.add_argument("--memory", type=int, default=3072, metavar="MB", help="memory of each [%(default)s]")
     parser.add_argument("--seconds", type=int, default=120, metavar="S", help="longest run of a step [%(default)s]")
     parser.add_argument("--upload", type=int, default=100, metavar="MB", help="largest file that a visitor opens [%(default)s]")
     given = parser.parse_args(arguments)

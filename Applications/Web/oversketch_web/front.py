@@ -1,6 +1,7 @@
 """Serves the page, starts a process for each visitor, and passes messages between its browser and that."""
 import asyncio
 import contextlib
+import ctypes
 import os
 import pathlib
 import re
@@ -19,6 +20,7 @@ from aiohttp import WSMsgType, web
 here = pathlib.Path(__file__).resolve().parent
 kept = 3600.0  # s that a closed tab is kept for
 beat = 10.0  # s between looks at who is there
+grace = 20.0  # s that a process has to keep its session
 loopback = ("127.0.0.1", "localhost", "::1")
 headers = {"Referrer-Policy": "no-referrer", "X-Content-Type-Options": "nosniff", "Cache-Control": "no-cache",
            "Content-Security-Policy": "default-src 'self'; img-src 'self' blob: data:; connect-src 'self'"}
@@ -36,7 +38,8 @@ class Display:
         mine, its = os.pipe()
         self.process = subprocess.Popen(
             ["Xvfb", "-displayfd", str(its), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset", "-auth", str(key)],
-            pass_fds=[its], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+            pass_fds=[its], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+            preexec_fn=lambda: ctypes.CDLL(None).prctl(1, signal.SIGTERM))  # it ends with the server, however that ends
         os.close(its)
         with os.fdopen(mine) as said:
             number = said.readline().strip()
@@ -90,6 +93,18 @@ class Visitor:
     def stop(self, why=signal.SIGTERM):
         with contextlib.suppress(ProcessLookupError):
             self.process and self.process.send_signal(why)
+
+
+    async def end(self):
+        """Ends the process, which keeps its session before; after a while in any case."""
+        process = self.process
+        if process is not None:
+            self.stop()
+            try:
+                await asyncio.wait_for(process.wait(), grace)
+            except asyncio.TimeoutError:
+                self.stop(signal.SIGKILL)
+                await process.wait()
 
 
 class Front:
@@ -206,9 +221,7 @@ class Front:
         closed = [one for one in running if one.browser is None]
         if not closed:
             return False
-        oldest = min(closed, key=lambda one: one.left)
-        oldest.stop()
-        await oldest.process.wait()
+        await min(closed, key=lambda one: one.left).end()
         return True
 
     async def watch(self):
@@ -223,8 +236,8 @@ class Front:
                     visitor.asked = now
                     visitor.say(b'{"do": "ping"}')
                 if visitor.browser is None and now - visitor.left > kept:
-                    visitor.stop()
                     del self.visitors[name]
+                    await visitor.end()
                     shutil.rmtree(visitor.folder, ignore_errors=True)
 
     async def run(self):
@@ -251,9 +264,7 @@ class Front:
                 await stopped.wait()
                 watching.cancel()
             finally:
-                for visitor in self.visitors.values():
-                    visitor.stop()
-                await asyncio.gather(*(one.process.wait() for one in self.visitors.values() if one.process is not None))
+                await asyncio.gather(*(one.end() for one in self.visitors.values()))
                 self.display.process.terminate()
                 await runner.cleanup()
 

@@ -23,6 +23,7 @@ from .view import View
 models = (".ply", ".obj", ".off", ".stl", ".glb", ".gltf", ".vtp", ".oversketch")
 pictures = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff")
 formats = ("ply", "obj", "glb", "stl", "off", "vtp")
+short = "There is not enough memory for that."
 still, rests = 0.15, 1.0  # s without a message, until the picture is made fine and the session is kept, or longer where that takes long
 # The lines of each system's step, in the order in which they are drawn; a pose's course comes when its bone is seen.
 lines = {"OneStroke": ["Stroke"], "Augment": ["Strokes"], "Relax": ["Strokes"], "Mask": ["Strokes"], "Pose": ["Bone", "Pose"],
@@ -47,7 +48,7 @@ class Studio:
         self.files, self.kept = folder / "files", folder / "session.oversketch"
         self.files.mkdir(exist_ok=True)
         self.view, self.session = View(), oversketch.vtkOversketchSession()
-        self.name = self.message = ""
+        self.name, self.message, self.busy = "", "", False
         self.drawn = self.done = 0  # lines that have come, and of which the mesh is shown
         self.frame, self.seen, self.sharp, self.watched = 0, True, False, False  # the last picture, and whether the page has it
         self.moved = self.changed = self.began = 0.0
@@ -244,7 +245,8 @@ class Studio:
 
     def check(self, worked):
         if not worked:
-            raise Refused(self.session.GetMessage() or "That cannot be done.")
+            why = self.session.GetMessage() or "That cannot be done."
+            raise Refused(short if "bad_alloc" in why else why)
         return worked
 
     def steps(self):
@@ -414,13 +416,13 @@ class Studio:
 
     def tell(self):
         """What the page shows beside the picture."""
-        step, drawing = self.drawing(), None
+        step, drawing, self.busy = self.drawing(), None, self.session.IsRunning()
         if step is not None:
             canvas, drawn = self.canvasOf(step), self.session.GetStepInput(step["id"], "Strokes")
             drawing = {"id": step["id"], "picture": self.picture, "canvas": canvas,
                        "lines": strokes.drawn(drawn, canvas) if strokes.isDrawn(drawn) and canvas[2] else []}
         self.send(1, {"kind": "state", "name": self.name, "steps": self.steps(), "selected": self.selected,
-                      "undo": self.session.GetCanUndo(), "redo": self.session.GetCanRedo(), "busy": self.session.IsRunning(),
+                      "undo": self.session.GetCanUndo(), "redo": self.session.GetCanRedo(), "busy": self.busy,
                       "stage": self.session.GetStage() or "", "message": self.message, "waits": self.of[0] if self.pending else "",
                       "drawing": drawing})
 
@@ -449,7 +451,7 @@ class Studio:
         except (Refused, ValueError, TypeError, KeyError, IndexError, AttributeError, OSError, MemoryError) as error:
             if isinstance(error, ConnectionError):
                 raise
-            self.message = str(error) or "There is not enough memory for that."
+            self.message = str(error) or short
             self.done, self.view.dirty = self.drawn, True
             self.tell()
 
@@ -461,6 +463,10 @@ class Studio:
         elif running and now - self.began > self.seconds:
             self.message = f"That took longer than {self.seconds} seconds, the most here, and is given up."
             self.cancel()
+        if running and now - self.began > self.seconds + 2 * rests:
+            os._exit(1)  # what cannot be given up, such as work that has found no memory
+        if self.busy and not self.session.IsRunning():
+            self.tell()  # it has been given up
         if self.after and not running:
             message, self.after = self.after, ""
             self.hear(message)
@@ -473,7 +479,7 @@ class Studio:
 
 def main():
     number, folder, shared, memory, seconds = sys.argv[1:]
-    resource.setrlimit(resource.RLIMIT_AS, (int(memory) << 20,) * 2)
+    resource.setrlimit(resource.RLIMIT_DATA, (int(memory) << 20,) * 2)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     line, heard = socket.socket(fileno=int(number)), b""
     signal.signal(signal.SIGTERM, lambda *_: line.shutdown(socket.SHUT_RD))
