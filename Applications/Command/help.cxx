@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "mesh_file.h"
+#include "print_colours.h"
 #include "upright_picture.h"
 
 #include <algorithm>
@@ -90,11 +91,13 @@ std::string helpText()
   }
   lines.emplace_back(
     "oversketch assemble PARTS.json -o OUT", "join drawings and meshes, placed, into one model");
+  lines.emplace_back("oversketch check MESH [options]", "say whether a mesh can be printed, and if not, why");
   lines.emplace_back("oversketch replay SESSION.oversketch -o OUT", "make the mesh of a saved session again");
   lines.emplace_back("oversketch --version", "what this program is made of and runs on");
   lines.emplace_back("oversketch --help", "this text");
   return "Oversketch: a stroke and a mesh go in, a mesh comes out.\n\n" + examples(lines) +
-         "\nExit code 0: done; 1: could not, a message says why; 2: the command line makes no sense.\n";
+         "\nExit code 0: done; 1: could not, a message says why, or check found a fault; 2: the command line "
+         "makes no sense.\n";
 }
 
 std::string helpText(const SystemRow& system)
@@ -120,10 +123,41 @@ std::string replayHelpText()
          "differs.\n"
          "\n"
          "  SESSION              .oversketch file, or a folder of the same content\n"
-         "  -o, --output OUT     the mesh to write: .obj .ply .stl .off .vtp .gltf .glb\n"
+         "  -o, --output OUT     the mesh to write: " +
+         std::string(oversketch_files::writtenExtensions) +
+         "\n"
          "  --model N            only that model of a scene of several, counted from 1; without it all of "
          "them, as\n"
          "                       parts of one mesh\n";
+}
+
+std::string checkHelpText()
+{
+  return "oversketch check MESH [options]\n"
+         "\n"
+         "Says, a line a fact, whether a mesh can be printed: whether it is closed and its faces look "
+         "outward, how\n"
+         "many bodies and hollows it has, which faces pass through each other, how thin its walls are; and "
+         "the\n"
+         "remedy where it cannot. Exit code 0: ready to print; 1: not, or it could not be read; 2: the "
+         "command\n"
+         "line makes no sense.\n"
+         "\n"
+         "  MESH                 of triangles: " +
+         std::string(oversketch_files::meshExtensions) +
+         "\n"
+         "  --wall X|X%          walls thinner than this are a fault: mm, or a share of the mesh's size (its "
+         "box's\n"
+         "                       diagonal); 0, none, where it is not given\n"
+         "  --unit UNIT          what a length of 1 in the file is: mm, cm, m, in, or how many mm; mm where "
+         "it is\n"
+         "                       not given\n"
+         "  -o, --output OUT     the mesh with walls by colour, red thin, blue thick, grey none, and faulty "
+         "faces\n"
+         "                       black: " +
+         std::string(oversketch_files::faceColourExtensions) +
+         "\n"
+         "  --report JSON        all figures, lengths in mm, and the volume of each body\n";
 }
 
 std::string assembleHelpText()
@@ -158,7 +192,7 @@ std::string assembleHelpText()
          "                       and how far it is then moved along z; may be absent\n"
          "    placement          in place of these: an affine matrix, four rows of four numbers\n"
          "  -o, --output OUT     the mesh to write: " +
-         std::string(oversketch_files::meshExtensions) +
+         std::string(oversketch_files::writtenExtensions) +
          "\n"
          "  --report JSON        times, and of each part what its strokes are, counts, place\n";
 }

@@ -1,4 +1,4 @@
-// The command `oversketch`. Exit code 0: done, 1: could not, 2: bad use.
+// The command `oversketch`. Exit code 0: done, 1: could not, or check found a fault, 2: bad use.
 #include "files.h"
 #include "options.h"
 #include "terminal.h"
@@ -57,6 +57,7 @@ int run(const std::vector<std::string>& arguments)
     case Action::Help:
       std::fputs((options.verb == Action::Replay      ? replayHelpText()
                    : options.verb == Action::Assemble ? assembleHelpText()
+                   : options.verb == Action::Check    ? checkHelpText()
                    : options.system                   ? helpText(*options.system)
                                                       : helpText())
                    .c_str(),
@@ -74,6 +75,8 @@ int run(const std::vector<std::string>& arguments)
     case Action::Assemble:
       assemble(options);
       break;
+    case Action::Check:
+      return check(options) ? 0 : 1;
   }
   return 0;
 }

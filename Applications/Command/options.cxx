@@ -5,6 +5,8 @@
 #include "mesh_file.h"
 #include "models.h"
 #include "option_values.h"
+#include "print_colours.h"
+#include "text.h"
 #include "upright_picture.h"
 
 #include <algorithm>
@@ -140,6 +142,36 @@ int wholeNumber(const std::string& name, const std::string& value, const std::st
   return static_cast<int>(numbers[0]);
 }
 
+// "0.8" or "1%".
+void takeWall(Options& options, const std::string& name, const std::string& value)
+{
+  options.wallIsShare = !value.empty() && value.back() == '%';
+  const std::vector<double> numbers =
+    numbersOf(name, options.wallIsShare ? value.substr(0, value.size() - 1) : value);
+  if (numbers.size() != 1 || !(numbers[0] >= 0.0))
+  {
+    throw BadUse(
+      name + " takes millimetres or a share of the mesh's size, such as 0.8 or 1%, not '" + value + "'");
+  }
+  options.wall = options.wallIsShare ? 0.01 * numbers[0] : numbers[0];
+}
+
+// "cm" or the millimetres of a length of 1.
+void takeUnit(Options& options, const std::string& name, const std::string& value)
+{
+  const std::map<std::string, double> units = {
+    { "mm", 1.0 }, { "cm", 10.0 }, { "m", 1000.0 }, { "in", 25.4 }
+  };
+  const auto known = units.find(value);
+  const std::vector<double> numbers =
+    known != units.end() ? std::vector<double>{ known->second } : numbersOf(name, value);
+  if (numbers.size() != 1 || !(numbers[0] > 0.0))
+  {
+    throw BadUse(name + " takes mm, cm, m, in, or how many mm a length of 1 is, not '" + value + "'");
+  }
+  options.millimetres = numbers[0];
+}
+
 OptionTable tableOf(Options& options)
 {
   OptionTable table = { { "-o", fileOption(options.output) }, { "--output", fileOption(options.output) } };
@@ -151,7 +183,14 @@ OptionTable tableOf(Options& options)
     return table;
   }
   table["--report"] = fileOption(options.report, ".json");
-  if (options.verb == Action::Assemble)
+  if (options.verb == Action::Check)
+  {
+    table["--wall"] = { true,
+      [&options](const std::string& name, const std::string& value) { takeWall(options, name, value); } };
+    table["--unit"] = { true,
+      [&options](const std::string& name, const std::string& value) { takeUnit(options, name, value); } };
+  }
+  if (!options.system)
   {
     return table;
   }
@@ -272,7 +311,7 @@ std::vector<std::string> verbs()
   {
     all.push_back(system.verb);
   }
-  all.insert(all.end(), { "assemble", "replay" });
+  all.insert(all.end(), { "assemble", "check", "replay" });
   return all;
 }
 
@@ -284,7 +323,9 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
   if (!options.system)
   {
     places = { &options.session };
-    wanted = { options.verb == Action::Replay ? "a session" : "a file of parts" };
+    wanted = { options.verb == Action::Replay  ? "a session"
+               : options.verb == Action::Check ? "a mesh"
+                                               : "a file of parts" };
   }
   else
   {
@@ -327,13 +368,21 @@ void takeFiles(const std::vector<std::string>& files, const std::string& verb, O
       placesOf("--" + input.word, given);
     }
   }
+  const bool isCheck = options.verb == Action::Check;
+  if (options.output.empty() && isCheck)
+  {
+    return;
+  }
   if (options.output.empty())
   {
     throw BadUse(verb + " needs -o OUT, the mesh to write");
   }
-  if (!isMeshExtension(extensionOf(options.output)))
+  const std::string extension = extensionOf(options.output);
+  if (isCheck ? !isAmong(extension, faceColourExtensions) : !isWrittenExtension(extension))
   {
-    throw BadUse("'" + options.output + "' is none of the mesh formats " + meshExtensions);
+    throw BadUse(
+      "'" + options.output + "' is none of the mesh formats " +
+      (isCheck ? std::string("that keep colours of faces, ") + faceColourExtensions : writtenExtensions));
   }
 }
 
@@ -358,6 +407,7 @@ Options parseArguments(const std::vector<std::string>& arguments)
   }
   options.verb = verb == "replay"     ? Action::Replay
                  : verb == "assemble" ? Action::Assemble
+                 : verb == "check"    ? Action::Check
                                       : Action::RunSystem;
   options.system = findVerb(verb);
   if (options.verb == Action::RunSystem && !options.system)
@@ -403,7 +453,7 @@ std::vector<OptionText> neededOf(const SystemRow& system)
 std::vector<OptionText> optionsOf(const SystemRow& system)
 {
   std::vector<OptionText> options = {
-    { "-o, --output", "OUT", std::string("the mesh to write: ") + meshExtensions }
+    { "-o, --output", "OUT", std::string("the mesh to write: ") + writtenExtensions }
   };
   for (const OptionText& needed : neededOf(system))
   {

@@ -26,7 +26,8 @@ enum class Action
   Version,
   RunSystem,
   Replay,
-  Assemble
+  Assemble,
+  Check
 };
 
 struct Options
@@ -46,8 +47,11 @@ struct Options
   };
   std::vector<Added> added;
   std::map<std::string, std::string> textFiles; // by the properties that they say
-  std::string session;                          // replay: a session; assemble: the file of the parts
-  int model = 0;                                // replay: of the scene, from 1; 0: all of them
+  std::string session; // replay: a session; assemble: the file of the parts; check: a mesh
+  int model = 0;       // replay: of the scene, from 1; 0: all of them
+  double wall = 0.0;   // check: mm that no wall may be below, or a share of the mesh's size
+  bool wallIsShare = false;
+  double millimetres = 1.0; // check: of a length of 1 in the file
   std::string output, picture, turntable, report, inner;
   int backend = 0; // vtkOversketchSystem::BackendType
   vtkIdType proxyAbove = oversketch_session::mostTriangles;
@@ -75,6 +79,7 @@ std::string helpText();
 std::string helpText(const oversketch_session::SystemRow& system);
 std::string replayHelpText();
 std::string assembleHelpText();
+std::string checkHelpText();
 
 } // namespace oversketch_command
 #endif

@@ -185,4 +185,12 @@ std::string Report::assembledJson(const Options& options, const Json::Value& par
   return written(json);
 }
 
+std::string Report::checkedJson(const Options& options, const Json::Value& figures) const
+{
+  Json::Value json = this->beginning("check", options);
+  json["mesh"] = options.session;
+  json["check"] = figures;
+  return written(json);
+}
+
 } // namespace oversketch_command

@@ -33,6 +33,8 @@ public:
     vtkPolyData* result) const;
   // JSON of an assembled mesh: files, times and warnings, what is told of each part, counts.
   std::string assembledJson(const Options& options, const Json::Value& parts, vtkPolyData* result) const;
+  // JSON of a check: files, times and warnings, and its figures.
+  std::string checkedJson(const Options& options, const Json::Value& figures) const;
 
 private:
   Json::Value beginning(const std::string& verb, const Options& options) const;

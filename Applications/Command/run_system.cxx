@@ -3,6 +3,7 @@
 #include "image_file.h"
 #include "json_files.h"
 #include "mesh_file.h"
+#include "models.h"
 #include "option_names.h"
 #include "option_values.h"
 #include "picture.h"
@@ -289,6 +290,16 @@ Session sessionOf(const Options& options, Notes& notes)
   if (const SystemInput* input = findInput(*options.system, SystemInput::Kind::Mesh))
   {
     session.mesh = readMesh(options.inputs.at(input->name), notes);
+    for (const SystemInput& further : options.system->inputs)
+    {
+      const std::string& path = options.inputs.at(further.name);
+      if (further.kind == SystemInput::Kind::Mesh && further.optional && !path.empty())
+      {
+        const auto other = readMesh(path, notes);
+        session.mesh = oversketch_session::joined(
+          std::vector<vtkPolyData*>{ session.mesh.Get(), other.Get() }); // a step holds no mesh
+      }
+    }
     multiplyShares(options, session.mesh.Get(), step->values);
     addPhrases(options, session.mesh.Get(), step->values);
   }

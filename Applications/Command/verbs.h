@@ -21,6 +21,10 @@ void runSystem(const Options& options);
 // mesh. Tells, stops and throws as runSystem.
 void assemble(const Options& options);
 
+// `oversketch check`: says on stdout what keeps a mesh from being printed, a line a fact. Returns whether
+// nothing does. Stops and throws as runSystem.
+bool check(const Options& options);
+
 // `oversketch replay`: runs a saved session, of a scene all models or the one asked for; says on stderr where
 // the machine or the mesh are not those that the session recorded. A stroke that failed when the session was
 // saved is passed by as it was then, with its reason. As runSystem else.

@@ -1,4 +1,5 @@
-// Mesh files by extension: OBJ, PLY, STL, OFF, VTP, glTF (.gltf, .glb); and stroke files (.vtp).
+// Mesh files by extension: OBJ, PLY, STL, OFF, VTP, glTF (.gltf, .glb); written alone, 3MF; and
+// stroke files (.vtp).
 #ifndef oversketch_applications_files_mesh_file_h
 #define oversketch_applications_files_mesh_file_h
 
@@ -14,9 +15,10 @@
 namespace oversketch_files
 {
 
-// The extensions, for messages.
-extern const char* const meshExtensions;
+// The extensions that are read and those that are written, for messages.
+extern const char *const meshExtensions, *const writtenExtensions;
 bool isMeshExtension(const std::string& extension);
+bool isWrittenExtension(const std::string& extension);
 
 // A mesh of triangles that is sound in itself: points are finite, ids in range, arrays complete. Other
 // polygons are triangulated, lines and vertices dropped, which the notes say. Throws Failed; VTK's readers do
@@ -34,7 +36,7 @@ vtkSmartPointer<vtkPolyData> parseStroke(const std::string& name, const std::str
 std::string bytesOf(vtkPolyData* data);
 
 // Writes the mesh whole or not at all; the notes say what the format drops. It is read back before it
-// appears, so that no file is left that cannot be read.
+// appears, so that no file is left that cannot be read; 3MF, of which there is no reader, is not.
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes);
 // The same as one of several files, which appear together.
 void writeMesh(vtkPolyData* mesh, const std::string& path, Notes& notes, NewFiles& files);
@@ -80,6 +82,9 @@ void writeGltf(const std::vector<Piece>& pieces,
   const std::string& name,
   const std::string& path,
   bool binary);
+
+// Of triangles; an object for each part (cell array PartId), its vertices as the mesh's points are.
+void write3mf(vtkPolyData* mesh, const std::string& path);
 
 // Number of triangles that the polygons of a mesh make.
 vtkIdType trianglesIn(vtkPolyData* mesh);

@@ -22,10 +22,16 @@ namespace oversketch_files
 {
 
 const char* const meshExtensions = ".obj .ply .stl .off .vtp .gltf .glb";
+const char* const writtenExtensions = ".obj .ply .stl .off .vtp .gltf .glb .3mf";
 
 bool isMeshExtension(const std::string& extension)
 {
   return isAmong(extension, meshExtensions);
+}
+
+bool isWrittenExtension(const std::string& extension)
+{
+  return isAmong(extension, writtenExtensions);
 }
 
 namespace

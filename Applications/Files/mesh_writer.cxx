@@ -41,9 +41,9 @@ void writeVtp(vtkPolyData* mesh, const std::string& path)
 // Not every writer notices a full disk, and not every number fits into every format.
 void requireReadBack(vtkPolyData* mesh, const std::string& path)
 {
-  if (mesh->GetNumberOfPolys() == 0)
+  if (mesh->GetNumberOfPolys() == 0 || !isMeshExtension(extensionOf(path)))
   {
-    return; // lines, as inner stages put them out
+    return; // lines, as inner stages put them out; what is not read
   }
   std::string why;
   try
@@ -146,9 +146,9 @@ void noteSingle(vtkPolyData* mesh, const std::string& format, Notes& notes)
 {
   if (const std::string lost = lostInSingle(mesh); !lost.empty())
   {
-    notes.push_back(format +
-                    " keeps numbers in single precision: so far from the origin points move by up to " +
-                    lost + "; move the mesh to the origin, or write .obj, .ply, .off, .vtp, .gltf or .glb");
+    notes.push_back(
+      format + " keeps numbers in single precision: so far from the origin points move by up to " + lost +
+      "; move the mesh to the origin, or write .obj, .ply, .off, .vtp, .gltf, .glb or .3mf");
   }
 }
 
@@ -265,12 +265,12 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
 {
   const std::string extension = extensionOf(path);
   vtkSmartPointer<vtkPolyData> mesh = given;
-  if ((extension == ".stl" || extension == ".gltf" || extension == ".glb") &&
+  if ((extension == ".stl" || extension == ".3mf" || extension == ".gltf" || extension == ".glb") &&
       trianglesIn(mesh) != mesh->GetNumberOfPolys())
   {
     mesh = withoutQuads(mesh);
-    notes.push_back(
-      std::string(extension == ".stl" ? "STL" : "glTF") + " keeps no quads; they are cut in two");
+    const std::string format = extension == ".stl" ? "STL" : extension == ".3mf" ? "3MF" : "glTF";
+    notes.push_back(format + " keeps no quads; they are cut in two");
   }
   vtkPointData* points = mesh->GetPointData();
   std::function<void(const std::string&)> write;
@@ -349,9 +349,14 @@ void writeMesh(vtkPolyData* given, const std::string& path, Notes& notes, NewFil
     write = [mesh, name, extension](const std::string& file)
     { writeGltf(piecesOf(mesh), name, file, extension == ".glb"); };
   }
+  else if (extension == ".3mf")
+  {
+    noteDropped(mesh, "3MF", { mesh->GetCellData()->GetArray("PartId") }, notes);
+    write = [&](const std::string& file) { write3mf(mesh, file); };
+  }
   else
   {
-    throw Failed(path + ": is none of the mesh formats " + meshExtensions);
+    throw Failed(path + ": is none of the mesh formats " + writtenExtensions);
   }
   files.write(path,
     [&](const std::string& file)

@@ -185,10 +185,10 @@ private:
 class Weld::Split
 {
 public:
-  Split(const Weld& weld, const Origins& origins, const MeshData& result)
+  Split(const Weld& weld, const Origins& origins, const MeshData& result, bool whole)
   {
-    weld.Vertices.empty() ? this->TakeVertices(origins, result.Surface(), weld)
-                          : this->SplitVertices(origins, result.Surface(), weld.LoosePoints());
+    whole ? this->TakeVertices(origins, result.Surface(), weld)
+          : this->SplitVertices(origins, result.Surface(), weld.LoosePoints());
   }
 
   std::vector<Triangle> Triangles; // empty where nothing was split
@@ -532,12 +532,13 @@ void Weld::CarryNormals(vtkPolyData* mesh,
 
 std::vector<int> Weld::Transfer(vtkPolyData* mesh,
   const std::vector<vtkPolyData*>& remeshings,
-  vtkPolyData* output) const
+  vtkPolyData* output,
+  Seams seams) const
 {
   vtkPolyData* last = remeshings.back();
   const std::shared_ptr<const MeshData> result = SharedGeometry(last);
-  const Split split(*this, Origins(*this, remeshings), *result);
-  const bool sameTriangles = this->Vertices.empty();
+  const bool sameTriangles = seams == Seams::Shared || (seams == Seams::AsBefore && this->Vertices.empty());
+  const Split split(*this, Origins(*this, remeshings), *result, sameTriangles);
   output->SetPolys(sameTriangles ? last->GetPolys() : CellsOf(split.Triangles).Get());
   this->CarryPoints(mesh, split, *result, output);
 

@@ -57,9 +57,18 @@ public:
   // (vtkOversketchRemesh). Point arrays are interpolated from mesh, once per chart along seams; cell arrays
   // come from OriginalCell, the cell that lay under a triangle's middle. Returns the vertex of the last
   // remeshing that each point of the output is.
+  // Where a vertex comes from several places it is as many points where it was before (AsBefore), in any
+  // mesh (Split), or in none (Shared): then it takes its arrays from one of them.
+  enum class Seams
+  {
+    AsBefore,
+    Split,
+    Shared
+  };
   std::vector<int> Transfer(vtkPolyData* mesh,
     const std::vector<vtkPolyData*>& remeshings,
-    vtkPolyData* output) const;
+    vtkPolyData* output,
+    Seams seams = Seams::AsBefore) const;
 
 private:
   class Origins;

@@ -1,6 +1,8 @@
 #include "Intersection/crossing_faces.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Intersection/face_tree.h"
+#include "Intersection/sides.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
@@ -12,35 +14,6 @@ namespace oversketch
 
 namespace
 {
-
-using Corners = std::array<Vector3, 3>;
-using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-// 1, -1 or 0: the side of d of the plane through a, b, c.
-int sideOf(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
-{
-  const auto at = [](const Vector3& p) { return Exact::Point_3(p[0], p[1], p[2]); };
-  return static_cast<int>(CGAL::orientation(at(a), at(b), at(c), at(d)));
-}
-
-// The turn of a, b, c, seen along an axis.
-int turnOf(int axis, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const int x = (axis + 1) % 3, y = (axis + 2) % 3;
-  const auto at = [x, y](const Vector3& p) { return Exact::Point_2(p[x], p[y]); };
-  return static_cast<int>(CGAL::orientation(at(a), at(b), at(c)));
-}
-
-// An axis along which the triangle is seen with an area, or 3.
-int openAxis(const Corners& t)
-{
-  int axis = 0;
-  while (axis < 3 && turnOf(axis, t[0], t[1], t[2]) == 0)
-  {
-    ++axis;
-  }
-  return axis;
-}
 
 // Segments of one plane that are not on one line.
 bool segmentsCross(int axis, const Vector3& a, const Vector3& b, const Vector3& p, const Vector3& q)
@@ -182,100 +155,6 @@ bool fansMeet(const Corners& a, const Corners& b)
 
 using Box = Eigen::AlignedBox3d;
 
-bool meet(const Box& a, const Box& b)
-{
-  return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
-}
-
-struct Face
-{
-  int id;
-  Box box;
-};
-
-// The tree of boxes that halves its faces in the middle of the longest axis. A node's first child
-// follows it.
-class FaceTree
-{
-public:
-  struct Node
-  {
-    Box box;
-    int begin, end; // faces
-    int second;     // -1 in a leaf
-  };
-
-  explicit FaceTree(std::vector<Face>& faces)
-    : Faces(faces)
-  {
-    this->Nodes.reserve(faces.size() / 2 + 1);
-    this->divide(0, static_cast<int>(faces.size()));
-  }
-  const std::vector<Node>& nodes() const { return this->Nodes; }
-
-  // Calls visit(other) for the leaf and those before it whose boxes meet its own.
-  template <class Visit>
-  void leavesAt(const Node& leaf, const Visit& visit) const
-  {
-    int stack[64], size = 0; // depth is that of halving
-    stack[size++] = 0;
-    while (size)
-    {
-      const int n = stack[--size];
-      const Node& node = this->Nodes[n];
-      if (node.begin >= leaf.end || !meet(node.box, leaf.box))
-      {
-        continue;
-      }
-      if (node.second < 0)
-      {
-        visit(node);
-        continue;
-      }
-      stack[size++] = node.second;
-      stack[size++] = n + 1;
-    }
-  }
-
-private:
-  static constexpr int leafSize = 4;
-
-  void divide(int begin, int end)
-  {
-    const int n = static_cast<int>(this->Nodes.size());
-    Node node{ {}, begin, end, -1 };
-    Box centers;
-    for (int i = begin; i < end; ++i)
-    {
-      node.box.extend(this->Faces[i].box);
-      centers.extend(this->Faces[i].box.center());
-    }
-    this->Nodes.push_back(node);
-    if (end - begin <= leafSize)
-    {
-      return;
-    }
-    int axis = 0;
-    centers.sizes().maxCoeff(&axis);
-    const int middle = (begin + end) / 2;
-    const auto first = this->Faces.begin();
-    std::nth_element(first + begin,
-      first + middle,
-      first + end,
-      [axis](const Face& a, const Face& b)
-      {
-        const double x = a.box.min()[axis] + a.box.max()[axis], y = b.box.min()[axis] + b.box.max()[axis];
-        return x < y || (x == y && a.id < b.id);
-      });
-    this->divide(begin, middle);
-    this->Nodes[n].second = static_cast<int>(this->Nodes.size());
-    this->divide(middle, end);
-  }
-
-  std::vector<Face>& Faces;
-  std::vector<Node> Nodes;
-};
-
 Corners cornersOf(const Mesh& mesh, int face, int first = 0)
 {
   const Triangle& t = mesh.triangles[face];
@@ -313,10 +192,10 @@ Box boxOf(const Mesh& mesh, int face)
 
 // The axes along which edges are longest and shortest: in boxes along them the needles of a stretched model
 // lie beside each other, where along x, y and z each would meet all.
-Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<Face>& faces)
+Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<BoxedFace>& faces)
 {
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Face& face : faces)
+  for (const BoxedFace& face : faces)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -351,7 +230,7 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
   const Context& context)
 {
   const auto isChanged = [&changed](int f) { return changed.empty() || changed[f] != 0; };
-  std::vector<Face> faces; // changed
+  std::vector<BoxedFace> faces; // changed
   Box reach;
   for (int f = 0; f < mesh.triangleCount(); ++f)
   {
@@ -371,7 +250,7 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
   const FaceTree tree(faces);
   context.checkpoint(0.2);
   // Each pair is met once, from the leaf of the one that comes last. An unchanged face is a leaf behind all.
-  const auto findPairs = [&](const FaceTree::Node& leaf, const Face* own, std::vector<FacePair>& pairs)
+  const auto findPairs = [&](const FaceTree::Node& leaf, const BoxedFace* own, std::vector<FacePair>& pairs)
   {
     const auto visit = [&](const FaceTree::Node& other)
     {
@@ -379,15 +258,15 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
       {
         for (int k = other.begin; k < std::min(i, other.end); ++k)
         {
-          const Face &a = own[i - leaf.begin], &b = faces[k];
-          if (meet(a.box, b.box) && cross(mesh, a.id, b.id))
+          const BoxedFace &a = own[i - leaf.begin], &b = faces[k];
+          if (boxesMeet(a.box, b.box) && cross(mesh, a.id, b.id))
           {
             pairs.push_back({ std::min(a.id, b.id), std::max(a.id, b.id) });
           }
         }
       }
     };
-    tree.leavesAt(leaf, visit);
+    tree.leavesAt(leaf.box, leaf.end, visit);
   };
   constexpr int ofPart = 1024; // unchanged faces that a thread takes at a time
   const int nodes = static_cast<int>(tree.nodes().size());
@@ -408,9 +287,9 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
       const int first = (n - nodes) * ofPart, end = std::min(first + ofPart, mesh.triangleCount());
       for (int f = first; f < end; ++f)
       {
-        if (!isChanged(f) && meet(boxOf(mesh, f), reach) && hasExactArea(cornersOf(mesh, f)))
+        if (!isChanged(f) && boxesMeet(boxOf(mesh, f), reach) && hasExactArea(cornersOf(mesh, f)))
         {
-          const Face face{ f, boxAlong(axes, mesh, f) };
+          const BoxedFace face{ f, boxAlong(axes, mesh, f) };
           findPairs({ face.box, count, count + 1, -1 }, &face, found[n]);
         }
       }

@@ -131,9 +131,9 @@ std::vector<Vector3> movedSoundly(const MeshPart& part,
   const Mesh& plain,
   const std::vector<int>& solved,
   const Eigen::MatrixXd& moves,
-  std::vector<double> shares)
+  std::vector<double> shares,
+  int rounds) // the last one leaves what still turns where it was; 0: all go all the way
 {
-  constexpr int rounds = 10; // the last one leaves what still turns where it was
   Mesh moved = part.mesh;
   for (int round = 0; round <= rounds; ++round)
   {
@@ -185,7 +185,7 @@ std::vector<Vector3> relaxed(const RelaxBand& band, const Context& context)
     return part.mesh.points;
   }
   const std::vector<int> number = placesIn(solved, part.region.size());
-  const Mesh plain = withoutNoise(part);
+  const Mesh plain = band.isNoisy ? withoutNoise(part) : part.mesh;
   const std::vector<double> areas = areasOf(plain);
   const Rows rows = rowsOf(band, plain, number, areas);
   context.checkpoint(0.3);
@@ -226,7 +226,7 @@ std::vector<Vector3> relaxed(const RelaxBand& band, const Context& context)
     throw Error(Failure::SolveFailed,
       "The system of the band has no finite solution; repair degenerate triangles there or remesh it.");
   }
-  return movedSoundly(part, plain, solved, moves, band.share);
+  return movedSoundly(part, plain, solved, moves, band.share, band.isNoisy ? 10 : 0);
 }
 
 } // namespace oversketch

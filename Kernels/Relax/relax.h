@@ -33,6 +33,9 @@ struct RelaxBand
   // 3/20 of how thick the model is; and how much it counts for, a fifth within the radius and 300 beyond the
   // band.
   std::vector<double> share, scale, weight;
+  // Areas and weights of edges are those of the surface without its noise, and points move less where a
+  // triangle would turn over; else those of the surface as it is, and points go all their way.
+  bool isNoisy = true;
 };
 
 // Curves have cells, and normals where the surface's side is to count. Throws Error(Failure::BadStroke) for a

@@ -66,6 +66,30 @@ inline Mesh icosphere(int levels, double radius = 1.0)
   return m;
 }
 
+// Box from one corner to another, twelve faces.
+inline Mesh box(const Vector3& low, const Vector3& high)
+{
+  Mesh mesh;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    mesh.points.emplace_back(
+      (corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]);
+  }
+  mesh.triangles = { { 0, 2, 3 },
+    { 0, 3, 1 },
+    { 4, 5, 7 },
+    { 4, 7, 6 },
+    { 0, 1, 5 },
+    { 0, 5, 4 },
+    { 2, 6, 7 },
+    { 2, 7, 3 },
+    { 0, 4, 6 },
+    { 0, 6, 2 },
+    { 1, 3, 7 },
+    { 1, 7, 5 } };
+  return mesh;
+}
+
 // Grid of nu x nv quads mapped by position(u, v), u and v in [0, 1), each quad two triangles; wraps where
 // asked.
 inline Mesh gridSurface(int nu,

@@ -8,7 +8,7 @@ from scene import *  # noqa: F403
 
 PAGES = sorted((SOURCE / "Documentation").glob("*.md"))
 LINE = re.compile(r"^oversketch (\S+ .*\bData/.*)$", re.M)
-VERBS = {"one-stroke": "one-stroke", "augment": "augment", "terrain": "augment", "edit": "edit", "relax": "relax", "mask": "mask", "pose": "pose", "transform": "files",
+VERBS = {"one-stroke": "one-stroke", "augment": "augment", "terrain": "augment", "edit": "edit", "relax": "relax", "mask": "mask", "pose": "pose", "transform": "files", "check": "print",
          "inflate": "drawings", "assemble": "drawings", "replay": "files"}
 OF_EVERY_COMMAND = {"--output", "--report", "--picture", "--turntable", "--backend", "--inner"}
 
@@ -18,7 +18,7 @@ def lines_of(page):
 
 
 def test_pages_have_lines():
-    assert {line[0] for page in PAGES for line in lines_of(page)} == {"one-stroke", "augment", "terrain", "edit", "relax", "mask", "inflate", "assemble", "transform"}
+    assert {line[0] for page in PAGES for line in lines_of(page)} == {"one-stroke", "augment", "terrain", "edit", "relax", "mask", "inflate", "assemble", "transform", "check"}
 
 
 @pytest.mark.parametrize("page", [page for page in PAGES if lines_of(page)], ids=lambda page: page.stem)

@@ -2,26 +2,22 @@
 #ifndef oversketch_applications_session_file_package_h
 #define oversketch_applications_session_file_package_h
 
+#include "zip_file.h"
+
 #include <functional>
-#include <map>
-#include <memory>
 #include <string>
 
 namespace oversketch_session
 {
 
-// By name; names are relative paths of plain parts ("strokes/1.vtp").
-using Package = std::map<std::string, std::shared_ptr<const std::string>>;
+using oversketch_files::Package;
+using oversketch_files::writeZip;
 
 // Reads those entries of either form that are wanted, all where no choice is given. Throws Failed, naming the
 // path: absent, damaged, names that leave the folder, a name twice, or more bytes than 16 MiB and 200 times
 // those of the zip file.
 Package readPackage(const std::string& path,
   const std::function<bool(const std::string& name)>& isWanted = {});
-
-// Writes a zip file, entries stored as they are (a .vtp file hardly shrinks, and saving must not wait), whole
-// or not at all, on the disk when it returns. Equal packages give equal files. Throws Failed.
-void writeZip(const std::string& path, const Package& package);
 
 // Writes a folder, made if it is not there, so that a crash at any moment leaves the old package or the new:
 // the entry `last` names the others and is replaced after they are on the disk; entries that are there with

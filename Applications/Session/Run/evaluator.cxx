@@ -183,6 +183,10 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
     const auto given = step.inputs.find(input.name);
     if (given == step.inputs.end())
     {
+      if (input.kind == SystemInput::Kind::Mesh && input.optional)
+      {
+        continue;
+      }
       if (input.kind == SystemInput::Kind::Mesh && run.outcome().mesh)
       {
         inputs[input.name] = run.outcome().mesh;

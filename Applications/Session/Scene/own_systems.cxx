@@ -2,6 +2,9 @@
 
 #include "parameters.h"
 
+#ifdef OVERSKETCH_WITH_JOIN
+#include "vtkOversketchJoin.h"
+#endif
 #ifdef OVERSKETCH_WITH_MASK
 #include "vtkOversketchMask.h"
 #endif
@@ -151,6 +154,42 @@ SystemRow mask()
       PROPERTY(System, Invert), "invert", "Invert", "mask what is free and free what is masked, at the end"),
   };
   row.mirroring = Mirroring::Strokes;
+  return row;
+}
+#endif
+
+#ifdef OVERSKETCH_WITH_JOIN
+SystemRow joining()
+{
+  using System = vtkOversketchJoin;
+  SystemRow row;
+  row.name = "Join";
+  row.verb = "join";
+  row.title = "Join";
+  row.brief = "make one closed body of parts, with a rounded seam; cut one from another; keep what both fill";
+  row.help =
+    "Joins the closed parts of a mesh (cell array PartId, else the pieces that hang together), and "
+    "those of a further mesh where one is given, into one closed body, with a crease or a rounded seam "
+    "where they meet. Lengths are those of the model, or with % a share of the diagonal of its box.";
+  row.make = make<System>;
+  row.inputs = { { "Mesh", "mesh", "the mesh whose parts are joined", SystemInput::Kind::Mesh, 0 },
+    { "Other", "with", "a further mesh whose parts come after its own", SystemInput::Kind::Mesh, 1, true } };
+  row.parameters = {
+    parameter<System>(PROPERTY(System, Operation),
+      "operation",
+      "Result",
+      "what becomes of the parts: one body, the first one without the others, or what all of them fill",
+      { { "join", "one body" }, { "cut", "the first without the others" }, { "common", "what all fill" } }),
+    length(parameter<System>(PROPERTY(System, Width),
+      "width",
+      "Seam",
+      "how wide the rounded seam is where they meet, 0 for a crease")),
+    parameter<System>(PROPERTY(System, Bridge),
+      "bridge",
+      "Bridge gaps",
+      "join parts that do not meet by a bar as thick as the seam is wide"),
+  };
+  row.joinsParts = true;
   return row;
 }
 #endif

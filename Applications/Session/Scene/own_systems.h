@@ -7,6 +7,7 @@
 namespace oversketch_session
 {
 
+SystemRow joining();
 SystemRow mask();
 SystemRow pose();
 SystemRow relax();

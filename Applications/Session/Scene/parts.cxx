@@ -121,6 +121,10 @@ PartSources sourcesOf(const Model& model, const std::vector<Outcome>& outcomes)
     {
       parts = byNumbers(outcomes[i].mesh);
     }
+    else if (row && row->joinsParts)
+    {
+      parts = byNumbers(outcomes[i].mesh);
+    }
     else if (row && row->addsParts)
     {
       parts = withThoseOf(node.id, std::move(parts), outcomes[i].mesh);

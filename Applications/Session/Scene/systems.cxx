@@ -500,6 +500,9 @@ const std::vector<SystemRow>& systems()
 #ifdef OVERSKETCH_WITH_STELLAR
     withDefaults(terrain()),
 #endif
+#ifdef OVERSKETCH_WITH_JOIN
+    withDefaults(joining()),
+#endif
 #ifdef OVERSKETCH_WITH_TRANSFORM
     withDefaults(transform()),
 #endif

@@ -126,6 +126,8 @@ struct SystemRow
   bool moves = false;
   // A step may add parts to the mesh that comes to it.
   bool addsParts = false;
+  // A step makes one body of the parts of the mesh that comes to it.
+  bool joinsParts = false;
   // A hand goes on changing its last step: what that computed is kept beside what the next one will need.
   bool previewsEdits = false;
   // Other properties that the class lets be set, each with the reason why no step holds it.

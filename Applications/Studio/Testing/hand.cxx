@@ -434,7 +434,7 @@ void Hand::answerFile(QFileDialog* dialog)
     QString name = "drawn"; // the window adds the extension that it wants
     if (dialog->nameFilters().join(' ').contains("*.ply"))
     {
-      const QStringList extensions = QString::fromLatin1(oversketch_files::meshExtensions).split(' ');
+      const QStringList extensions = QString::fromLatin1(oversketch_files::writtenExtensions).split(' ');
       name += extensions[this->upTo(extensions.size() - 1)];
     }
     path = QDir(this->Folder).filePath(name);

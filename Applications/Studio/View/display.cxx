@@ -242,13 +242,19 @@ void Display::showOnion(vtkPolyData* mesh)
   }
 }
 
-void Display::showInstead(vtkPolyData* mesh)
+void Display::showInstead(vtkPolyData* mesh, bool coloured)
 {
   this->Other.reset();
   if (mesh)
   {
     this->Other = std::make_unique<ModelView>(this->Renderer);
-    this->Other->setLook(this->Look);
+    ModelLook look = this->Look;
+    if (coloured)
+    {
+      look.shading = look.shading == Shading::Matcap ? Shading::Smooth : look.shading;
+      look.pictures = true;
+    }
+    this->Other->setLook(look);
     this->Other->show(mesh);
   }
   this->Model.setVisible(!mesh);

@@ -50,8 +50,8 @@ public:
   void castShadow(bool isHeld);
   // Another mesh, translucent over the model; null: none.
   void showOnion(vtkPolyData* mesh);
-  // Another mesh instead of the model; null: the model again.
-  void showInstead(vtkPolyData* mesh);
+  // Another mesh instead of the model, in its colours in any case or as models are; null: the model again.
+  void showInstead(vtkPolyData* mesh, bool coloured = false);
   bool instead() const { return this->Other != nullptr; }
 
   // The models beside it.

@@ -136,14 +136,15 @@ struct ModelView::Part
       };
       this->wear(this->wanted ? whenDecoded(this->waits.get(), this->wanted, come) : nullptr);
     }
-    vtkDataArray* colours = oversketch_files::coloursOf(mesh);
+    vtkDataArray* ofPoints = oversketch_files::coloursOf(mesh);
+    vtkDataArray* colours = ofPoints ? ofPoints : oversketch_files::faceColoursOf(mesh);
     this->isColoured = colours && colours->GetName() && !this->wanted;
     for (vtkPolyDataMapper* one : { this->mapper.Get(), this->coarse.Get() })
     {
       if (this->isColoured)
       {
         one->SetColorModeToDirectScalars();
-        one->SetScalarModeToUsePointFieldData();
+        ofPoints ? one->SetScalarModeToUsePointFieldData() : one->SetScalarModeToUseCellFieldData();
         one->SelectColorArray(colours->GetName());
       }
     }

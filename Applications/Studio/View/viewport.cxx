@@ -310,9 +310,9 @@ void Viewport::clearMesh()
   this->renderSoon();
 }
 
-void Viewport::showInstead(vtkPolyData* mesh)
+void Viewport::showInstead(vtkPolyData* mesh, bool coloured)
 {
-  this->Looks.showInstead(mesh);
+  this->Looks.showInstead(mesh, coloured);
   this->Section->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0); // they are of the model
   this->Region.actor()->GetProperty()->SetOpacity(mesh ? 0.0 : 1.0);
   this->Masked.setVisible(!mesh);

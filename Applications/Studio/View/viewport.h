@@ -60,8 +60,8 @@ public:
   // A mesh is being made: frames that are asked for wait for it, unless it takes long or the hand does
   // something.
   void awaitMesh();
-  // Another mesh instead of it, to compare; null shows it again.
-  void showInstead(vtkPolyData* mesh);
+  // Another mesh instead of it, to compare; null shows it again. `coloured`: in its colours in any case.
+  void showInstead(vtkPolyData* mesh, bool coloured = false);
   // Where a step took hold (blue); null shows none.
   void showSection(vtkPolyData* section);
   // The part of the model that a step moved (orange); null shows none.

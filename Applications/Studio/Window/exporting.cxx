@@ -43,6 +43,7 @@ QVector<Format> formats()
     row("glb", ExportTexts::tr("glTF in one file, with its picture"), true),
     row("gltf", ExportTexts::tr("glTF, with its picture"), true),
     row("stl", ExportTexts::tr("STL")),
+    row("3mf", ExportTexts::tr("3MF, for printers")),
     row("off", ExportTexts::tr("OFF")),
     row("vtp", ExportTexts::tr("VTK"), true) };
 }
@@ -56,26 +57,28 @@ bool mayReplace(QWidget* parent, const QString& path)
            QMessageBox::Yes;
 }
 
-} // namespace
+int placeOf(const QVector<Format>& all, const QString& suffix)
+{
+  const auto isOf = [&suffix](const Format& format) { return format.suffix == suffix; };
+  return static_cast<int>(std::find_if(all.begin(), all.end(), isOf) - all.begin());
+}
 
-QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
+// In one of those formats, `chosen` to begin with; which it was is kept under that name.
+QString pathAsked(QWidget* parent,
+  const QString& title,
+  const QString& name,
+  const QVector<Format>& all,
+  int chosen,
+  const QString& setting)
 {
   QSettings settings;
-  const QVector<Format> all = formats();
   QStringList filters;
-  int chosen = 0;
-  for (int i = 0; i < all.size(); ++i)
+  for (const Format& format : all)
   {
-    filters << all[i].filter;
-    chosen = all[i].suffix == settings.value("exportFormat").toString() ? i : chosen;
-  }
-  if (wearsPicture && (!settings.contains("exportFormat") || !all[chosen].keepsPicture))
-  {
-    const auto isOneFile = [](const Format& format) { return format.suffix == "glb"; };
-    chosen = static_cast<int>(std::find_if(all.begin(), all.end(), isOneFile) - all.begin());
+    filters << format.filter;
   }
   const QString folder = settings.value("exportFolder", settings.value("folder")).toString();
-  QFileDialog dialog(parent, ExportTexts::tr("Export the mesh"), folder);
+  QFileDialog dialog(parent, title, folder);
   dialog.setAcceptMode(QFileDialog::AcceptSave);
   dialog.setNameFilters(filters);
   const auto follow = [&](const QString& stem, const QString& filter)
@@ -99,8 +102,7 @@ QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
   QString path = dialog.selectedFiles().first();
   const int at = std::max(0, filters.indexOf(dialog.selectedNameFilter()));
   QString suffix = QFileInfo(path).suffix().toLower();
-  const auto isOf = [&suffix](const Format& format) { return format.suffix == suffix; };
-  if (std::none_of(all.begin(), all.end(), isOf))
+  if (placeOf(all, suffix) == all.size())
   {
     suffix = all[at].suffix;
     path += '.' + suffix;
@@ -109,18 +111,48 @@ QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
       return {};
     }
   }
-  settings.setValue("exportFormat", suffix);
+  settings.setValue(setting, suffix);
   settings.setValue("exportFolder", QFileInfo(path).absolutePath());
   return path;
+}
+
+// The place of the format that was chosen last; of the first one where none was.
+int lastChosen(const QVector<Format>& all, const QString& setting)
+{
+  const int last = placeOf(all, QSettings().value(setting).toString());
+  return last < all.size() ? last : 0;
+}
+
+} // namespace
+
+QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture)
+{
+  const QVector<Format> all = formats();
+  int chosen = lastChosen(all, "exportFormat");
+  if (wearsPicture && (!QSettings().contains("exportFormat") || !all[chosen].keepsPicture))
+  {
+    chosen = placeOf(all, "glb");
+  }
+  return pathAsked(parent, ExportTexts::tr("Export the mesh"), name, all, chosen, "exportFormat");
+}
+
+QString printPathAsked(QWidget* parent, const QString& name)
+{
+  const QVector<Format> all = formats();
+  const QVector<Format> printers = { all[placeOf(all, "3mf")], all[placeOf(all, "stl")] };
+  return pathAsked(parent,
+    ExportTexts::tr("Export for print"),
+    name,
+    printers,
+    lastChosen(printers, "printFormat"),
+    "printFormat");
 }
 
 bool keepsPicture(const QString& path)
 {
   const QVector<Format> all = formats();
-  return std::any_of(all.begin(),
-    all.end(),
-    [suffix = QFileInfo(path).suffix().toLower()](const Format& format)
-    { return format.suffix == suffix && format.keepsPicture; });
+  const int at = placeOf(all, QFileInfo(path).suffix().toLower());
+  return at < all.size() && all[at].keepsPicture;
 }
 
 TurnFilm turnFilmAsked(QWidget* parent, const QString& name)

@@ -520,6 +520,7 @@ void MainWindow::refresh()
   this->Save->setEnabled(open);
   // A drawing without lines has no mesh.
   this->Export->setEnabled(open && (this->OpenDocument->result().mesh || this->OpenDocument->session().mesh));
+  this->Print->setEnabled(this->Export->isEnabled());
   this->Turntable->setEnabled(this->Export->isEnabled());
   if (this->Back)
   {

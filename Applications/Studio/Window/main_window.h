@@ -118,6 +118,12 @@ private:
   void exportModel(int model, int part, const QString& name);
   // As one mesh; of it that part, or -1 all.
   void exportMeshes(const ExactResults& results, int part, const QString& name);
+  // Writes what `make` makes on a thread of its own, if it does, and then says so, with the file's name.
+  void writeAside(const QString& path,
+    const QString& said,
+    const std::function<vtkSmartPointer<vtkPolyData>()>& make);
+  void printAsked();
+  void writePrint(const vtkSmartPointer<vtkPolyData>& mesh);
   void screenshot(bool lines);
   void turntableAsked();
   // Whether what is not saved may be left.
@@ -207,8 +213,8 @@ private:
   QTimer* BusyTimer; // progress is shown for what takes longer than a moment
   QMenu *Recent = nullptr, *Examples = nullptr;
   OptionPresets* Presets = nullptr;
-  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Turntable = nullptr,
-          *Dark = nullptr, *Region = nullptr, *Back = nullptr, *NoBack = nullptr;
+  QAction *Undo = nullptr, *Redo = nullptr, *Save = nullptr, *Export = nullptr, *Print = nullptr,
+          *Turntable = nullptr, *Dark = nullptr, *Region = nullptr, *Back = nullptr, *NoBack = nullptr;
   QVector<QAction*> DockActions;
   Preferences Settings;
   int Redrawn = -1;                        // the step that the next one replaces

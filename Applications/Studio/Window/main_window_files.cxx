@@ -9,12 +9,16 @@
 #include "models.h"
 #include "picture_files.h"
 #include "pieces.h"
+#include "print_dialog.h"
 #include "resources.h"
 #include "scene_panel.h"
 #include "status_labels.h"
 #include "system_strings.h"
 #include "tool.h"
 #include "viewport.h"
+
+#include "vtkOversketchPrintCheck.h"
+#include "vtkOversketchStepRunner.h"
 
 #include <QAbstractSpinBox>
 #include <QCloseEvent>
@@ -68,6 +72,32 @@ QString folderToSaveIn(const QString& session)
     }
   }
   return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+// A function that makes one mesh of them, once, on any thread; null where that was given up. The window looks
+// at them meanwhile, and a writer keeps ranges in the arrays.
+std::function<vtkSmartPointer<vtkPolyData>()> wholeOf(const ExactResults& results)
+{
+  const auto meshes = std::make_shared<std::vector<vtkSmartPointer<vtkPolyData>>>();
+  for (const auto& result : results)
+  {
+    meshes->push_back(result->isLarge() ? nullptr : deepCopyOf(result->dressed()));
+  }
+  return [meshes, results]() -> vtkSmartPointer<vtkPolyData>
+  {
+    for (std::size_t i = 0; i < results.size(); ++i)
+    {
+      const SharedData exact = (*meshes)[i] ? SharedData() : results[i]->mesh(progressOfWork());
+      if (!(*meshes)[i] && !exact)
+      {
+        return nullptr;
+      }
+      (*meshes)[i] = (*meshes)[i] ? (*meshes)[i] : deepCopyOf(exact);
+    }
+    const auto whole = joined({ meshes->begin(), meshes->end() });
+    meshes->clear(); // a large scene lies there once less
+    return whole;
+  };
 }
 
 } // namespace
@@ -343,40 +373,95 @@ void MainWindow::exportMeshes(const ExactResults& results, int part, const QStri
   {
     return;
   }
-  // The window looks at them meanwhile, and a writer keeps ranges in the arrays.
-  const auto meshes = std::make_shared<std::vector<vtkSmartPointer<vtkPolyData>>>();
-  for (const auto& result : results)
-  {
-    meshes->push_back(result->isLarge() ? nullptr : deepCopyOf(result->dressed()));
-  }
+  const QString said = !wearsPicture        ? tr("Exported %1.")
+                       : keepsPicture(path) ? tr("Exported %1 with its picture.")
+                                            : tr("Exported %1 without its picture: choose glTF to keep it.");
+  this->writeAside(path,
+    said,
+    [makeWhole = wholeOf(results), part]() -> vtkSmartPointer<vtkPolyData>
+    {
+      const auto whole = makeWhole();
+      return part < 0 || !whole ? whole : oversketch_files::partAlone(whole, part);
+    });
+}
+
+void MainWindow::writeAside(const QString& path,
+  const QString& said,
+  const std::function<vtkSmartPointer<vtkPolyData>()>& make)
+{
   const auto notes = std::make_shared<oversketch_files::Notes>();
   const QString file = QFileInfo(path).fileName();
   this->runAside(
     tr("Exporting %1…").arg(file),
-    [meshes, results, part, path, notes]
+    [make, path, notes]
     {
-      for (std::size_t i = 0; i < results.size(); ++i)
+      if (const auto mesh = make())
       {
-        const SharedData exact = (*meshes)[i] ? SharedData() : results[i]->mesh(progressOfWork());
-        if (!(*meshes)[i] && !exact)
-        {
-          return; // given up
-        }
-        (*meshes)[i] = (*meshes)[i] ? (*meshes)[i] : deepCopyOf(exact);
+        oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
       }
-      const auto whole = joined({ meshes->begin(), meshes->end() });
-      meshes->clear(); // a large scene lies there once less
-      const auto mesh = part < 0 ? whole : oversketch_files::partAlone(whole, part);
-      oversketch_files::writeMesh(mesh, path.toStdString(), *notes);
     },
-    [&]
+    [&] { this->Advice->setText((QStringList{ said.arg(file) } + listOf(*notes)).join(' ')); });
+}
+
+void MainWindow::printAsked()
+{
+  const ExactResults results = this->OpenDocument->isOpen() ? this->Large->results() : ExactResults();
+  if (results.empty())
+  {
+    return;
+  }
+  if (auto* open = this->findChild<PrintDialog*>())
+  {
+    open->reject(); // it is of the model as it was
+  }
+  const auto check = vtkSmartPointer<vtkOversketchPrintCheck>::New();
+  const bool isChecked = this->runAside(
+    tr("Checking %1…").arg(this->OpenDocument->name()),
+    [check, makeWhole = wholeOf(results)]
     {
-      const QString said = !wearsPicture ? tr("Exported %1.").arg(file)
-                           : keepsPicture(path)
-                             ? tr("Exported %1 with its picture.").arg(file)
-                             : tr("Exported %1 without its picture: choose glTF to keep it.").arg(file);
-      this->Advice->setText((QStringList{ said } + listOf(*notes)).join(' '));
+      if (const auto whole = makeWhole())
+      {
+        check->SetInputData(oversketch_files::withoutQuads(whole));
+        oversketch::StepRunner(check, progressOfWork()).Run();
+      }
+    },
+    [] {});
+  if (!isChecked)
+  {
+    return;
+  }
+  this->View->display().others().show(Session()); // they are in what is shown
+  auto* dialog = new PrintDialog(
+    check,
+    this->OpenDocument->upAxis(),
+    [this](vtkPolyData* mesh) { this->View->showInstead(mesh, true); },
+    this);
+  connect(this->OpenDocument, &Document::changed, dialog, &QDialog::reject);
+  connect(this->OpenDocument, &Document::begun, dialog, &QDialog::reject);
+  connect(dialog,
+    &QDialog::finished,
+    this,
+    [this]
+    {
+      this->View->showInstead(nullptr);
+      this->View->display().others().show(this->OpenDocument->session());
     });
+  connect(dialog,
+    &QDialog::accepted,
+    this,
+    [this, dialog] // once it has closed: what asks for a name runs events, which may delete it
+    { QTimer::singleShot(0, this, [this, mesh = dialog->printed()] { this->writePrint(mesh); }); });
+  dialog->move(this->mapToGlobal(QPoint(this->width() - dialog->sizeHint().width(), 0))); // beside the model
+  dialog->show();
+}
+
+void MainWindow::writePrint(const vtkSmartPointer<vtkPolyData>& mesh)
+{
+  const QString path = printPathAsked(this, QFileInfo(this->OpenDocument->name()).completeBaseName());
+  if (!path.isEmpty())
+  {
+    this->writeAside(path, tr("Exported %1."), [mesh] { return mesh; });
+  }
 }
 
 void MainWindow::screenshot(bool lines)

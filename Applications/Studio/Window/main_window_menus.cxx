@@ -84,6 +84,7 @@ void MainWindow::makeMenus()
   this->Export =
     this->add(file, tr("&Export mesh…"), QKeySequence(tr("Ctrl+E")), [this] { this->exportAsked(); });
   file->addAction(this->Scene->exporting());
+  this->Print = this->add(file, tr("Export &for print…"), {}, [this] { this->printAsked(); });
   this->add(file, tr("Save a &picture…"), QKeySequence(tr("F12")), [this] { this->screenshot(false); });
   this->add(file,
     tr("Save a picture with &lines…"),

@@ -25,30 +25,6 @@ using namespace oversketch_test;
 namespace
 {
 
-// From one corner to another, its normals outward from the middle.
-Mesh box(const Vector3& low, const Vector3& high)
-{
-  Mesh mesh;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    mesh.points.emplace_back(
-      (corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]);
-  }
-  mesh.triangles = { { 0, 2, 3 },
-    { 0, 3, 1 },
-    { 4, 5, 7 },
-    { 4, 7, 6 },
-    { 0, 1, 5 },
-    { 0, 5, 4 },
-    { 2, 6, 7 },
-    { 2, 7, 3 },
-    { 0, 4, 6 },
-    { 0, 6, 2 },
-    { 1, 3, 7 },
-    { 1, 7, 5 } };
-  return mesh;
-}
-
 // Positive where faces look outward.
 double volumeOf(vtkPolyData* mesh, int part = -1)
 {

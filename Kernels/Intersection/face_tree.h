@@ -1,0 +1,127 @@
+// Boxes of faces in a tree, for whoever looks for faces that may meet.
+#ifndef oversketch_kernels_intersection_face_tree_h
+#define oversketch_kernels_intersection_face_tree_h
+
+#include "Mesh/mesh.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace oversketch
+{
+
+struct BoxedFace
+{
+  int id;
+  Eigen::AlignedBox3d box;
+};
+
+inline bool boxesMeet(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
+{
+  return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
+}
+
+// The tree of boxes that halves its faces in the middle of the longest axis. A node's first child
+// follows it.
+class FaceTree
+{
+public:
+  struct Node
+  {
+    Eigen::AlignedBox3d box;
+    int begin, end; // faces
+    int second;     // -1 in a leaf
+  };
+
+  // Sorts the faces, and keeps them by reference.
+  explicit FaceTree(std::vector<BoxedFace>& faces)
+    : Faces(faces)
+  {
+    this->Nodes.reserve(faces.size() / 2 + 1);
+    this->divide(0, static_cast<int>(faces.size()));
+  }
+  const std::vector<Node>& nodes() const { return this->Nodes; }
+
+  // Calls visit(leaf) for each leaf that begins before `end` and whose box meets the box.
+  template <class Visit>
+  void leavesAt(const Eigen::AlignedBox3d& box, int end, const Visit& visit) const
+  {
+    int stack[64], size = 0; // depth is that of halving
+    stack[size++] = 0;
+    while (size)
+    {
+      const int n = stack[--size];
+      const Node& node = this->Nodes[n];
+      if (node.begin >= end || !boxesMeet(node.box, box))
+      {
+        continue;
+      }
+      if (node.second < 0)
+      {
+        visit(node);
+        continue;
+      }
+      stack[size++] = node.second;
+      stack[size++] = n + 1;
+    }
+  }
+
+  // Calls visit(id) for each face whose box meets the box.
+  template <class Visit>
+  void facesAt(const Eigen::AlignedBox3d& box, const Visit& visit) const
+  {
+    this->leavesAt(box,
+      static_cast<int>(this->Faces.size()),
+      [&](const Node& leaf)
+      {
+        for (int i = leaf.begin; i < leaf.end; ++i)
+        {
+          if (boxesMeet(this->Faces[i].box, box))
+          {
+            visit(this->Faces[i].id);
+          }
+        }
+      });
+  }
+
+private:
+  static constexpr int leafSize = 4;
+
+  void divide(int begin, int end)
+  {
+    const int n = static_cast<int>(this->Nodes.size());
+    Node node{ {}, begin, end, -1 };
+    Eigen::AlignedBox3d centers;
+    for (int i = begin; i < end; ++i)
+    {
+      node.box.extend(this->Faces[i].box);
+      centers.extend(this->Faces[i].box.center());
+    }
+    this->Nodes.push_back(node);
+    if (end - begin <= leafSize)
+    {
+      return;
+    }
+    int axis = 0;
+    centers.sizes().maxCoeff(&axis);
+    const int middle = (begin + end) / 2;
+    const auto first = this->Faces.begin();
+    std::nth_element(first + begin,
+      first + middle,
+      first + end,
+      [axis](const BoxedFace& a, const BoxedFace& b)
+      {
+        const double x = a.box.min()[axis] + a.box.max()[axis], y = b.box.min()[axis] + b.box.max()[axis];
+        return x < y || (x == y && a.id < b.id);
+      });
+    this->divide(begin, middle);
+    this->Nodes[n].second = static_cast<int>(this->Nodes.size());
+    this->divide(middle, end);
+  }
+
+  std::vector<BoxedFace>& Faces;
+  std::vector<Node> Nodes;
+};
+
+} // namespace oversketch
+#endif
