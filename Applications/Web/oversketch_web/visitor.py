@@ -22,7 +22,7 @@ from .view import View
 
 models = (".ply", ".obj", ".off", ".stl", ".glb", ".gltf", ".vtp", ".oversketch")
 pictures = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff")
-formats = ("ply", "obj", "glb", "stl", "off", "vtp")
+formats = ("ply", "obj", "glb", "stl", "off", "vtp", "3mf")
 short = "There is not enough memory for that."
 still, rests = 0.15, 1.0  # s without a message, until the picture is made fine and the session is kept, or longer where that takes long
 # The lines of each system's step, in the order in which they are drawn; a pose's course comes when its bone is seen.
