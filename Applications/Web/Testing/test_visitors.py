@@ -217,6 +217,32 @@ def test_files_too_large_damaged_or_hostile_are_refused_and_the_session_stays(br
     assert not list(server.folder.rglob("outside"))
 
 
+def test_hostile_messages_do_nothing(dog):
+    dog.draw(ARCH)
+    dog.done(1)
+    point = {"do": "stroke", "number": 1, "system": "OneStroke", "points": [[1, 1, 1], [9, 9, 1]]}
+    hostile = ["", "[]", "{", "[" * 100000, json.dumps({"do": "__init__"}), json.dumps({"do": "keep"}), '{"do":"zoom","factor":NaN,"x":1,"y":1}',
+               '{"do":"zoom","factor":1e999,"x":1e999,"y":-1e999}', '{"do":"hand","event":"MouseMoveEvent","x":1e999,"y":0}',
+               *(json.dumps(one) for one in [
+                   {"do": "act", "what": "Open", "arguments": ["/etc/passwd"]}, {"do": "act", "what": "RemoveStep", "arguments": ["1"]},
+                   {"do": "open", "file": "../session.oversketch"}, {"do": "open", "file": "/etc/passwd"}, {"do": "open", "shared": "../../x"},
+                   {"do": "export", "format": "../x"}, {"do": "size", "width": 10 ** 12, "height": -5}, {"do": "select", "id": None},
+                   {"do": "change", "id": 1, "values": {"Nothing": {}}}, {**point, "points": [[None]]}, {**point, "points": []},
+                   {**point, "system": "Edit", "redraw": []}, {**point, "values": [1]}, {"do": "trace", "number": 1, "points": [[0, 0]]}])]
+    answered = dog.of(f"""new Promise(done => {{
+        const other = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws"))), states = [];
+        other.onmessage = ({{ data }}) => typeof data === "string" && JSON.parse(data).kind === "state" && states.push(JSON.parse(data));
+        other.onopen = () => {json.dumps(hostile)}.forEach(one => other.send(one));
+        setTimeout(() => (other.close(), done(states)), 3000); }})""")
+    assert sum(bool(state["message"]) for state in answered) >= 15
+    assert all([step["id"] for step in state["steps"]] == [1] for state in answered)
+    dog.click("#veil button")  # the other socket was another tab
+    dog.ready()
+    assert dog.rows == ["Stroke 1"]
+    dog.draw(ARCH[::-1])
+    dog.done(2)
+
+
 def test_memory_and_time_of_a_visitor_are_bounded(browser, serve, tmp_path):  # noqa: F811
     count, file = 1100, tmp_path / "grid.off"  # needs 900 MB
     with open(file, "w") as out:
