@@ -7,14 +7,13 @@ import subprocess
 import sys
 
 here = pathlib.Path(__file__).resolve().parent
-models = here.parents[1] / "share" / "oversketch" / "Meshes"
 
 
 def options(arguments):
     parser = argparse.ArgumentParser(
         prog="oversketch-web",
         description="Serves a page on which visitors draw on models in their browsers; each has a process of its own.")
-    parser.add_argument("path", nargs="?", metavar="FILE|FOLDER", type=pathlib.Path, default=None,
+    parser.add_argument("path", metavar="FILE|FOLDER", type=pathlib.Path,
                         help="a model, picture or session that each visitor begins with, or a folder of such to choose from")
     parser.add_argument("--host", default="127.0.0.1",
                         help="the address that is served [%(default)s]; of another one than this machine's own the link has a token")
@@ -24,7 +23,7 @@ def options(arguments):
     parser.add_argument("--seconds", type=int, default=120, metavar="S", help="longest run of a step [%(default)s]")
     parser.add_argument("--upload", type=int, default=100, metavar="MB", help="largest file that a visitor opens [%(default)s]")
     given = parser.parse_args(arguments)
-    if given.path is not None and not given.path.exists():
+    if not given.path.exists():
         parser.error(f"{given.path} does not exist; name a model, a picture, a session or a folder of them")
     if min(given.visitors, given.memory, given.seconds, given.upload) < 1:
         parser.error("--visitors, --memory, --seconds and --upload must be 1 or more")
@@ -59,7 +58,6 @@ def main():
         os.execve(python, [str(python), "-m", __package__, *sys.argv[1:]],
                   {**os.environ, "OVERSKETCH_WEB_ENVIRONMENT": "1",
                    "PYTHONPATH": os.pathsep.join([str(here.parent), *filter(None, [os.environ.get("PYTHONPATH")])])})
-    given.path = given.path or models
     front.serve(given)
 
 
