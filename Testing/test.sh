@@ -18,5 +18,6 @@ if [ "${1:-}" = paraview-changed ]; then
 fi
 if [ "$*" != paraview ]; then # which may need other packages
   oversketch_install
+  oversketch_install chromium # of the page's tests
 fi
 exec /usr/bin/python3 Testing/suite.py "$@"

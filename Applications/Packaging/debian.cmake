@@ -34,6 +34,7 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "${own}, python3-vtk9, python3-numpy, python3 (>= ${python_minor}), python3 (<< ${Python3_VERSION_MAJOR}.${python_next})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "xvfb, python3-aiohttp | python3-venv") # of oversketch-web
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_LIST_DIR}/python/postinst;${CMAKE_CURRENT_LIST_DIR}/python/prerm")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "sketch-based mesh modelling, Python package\n${about}\n\nThe Python package.")
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_SECTION graphics)

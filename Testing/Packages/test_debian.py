@@ -111,6 +111,9 @@ def test_each_file_is_in_one_package_and_the_right_one(debs):
         "/usr/share/oversketch/Models/dog.ply": "oversketch",
         "/usr/include/oversketch/vtkOversketchOneStroke.h": "liboversketch-dev",
         "/usr/include/oversketch/Kernels/Mesh/mesh.h": "liboversketch-dev",
+        "/usr/bin/oversketch-web": "python3-oversketch",
+        "/usr/share/man/man1/oversketch-web.1.gz": "python3-oversketch",
+        "/usr/lib/python3/dist-packages/oversketch_web/page/index.html": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/__init__.py": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/__init__.pyi": "python3-oversketch",
         "/usr/lib/python3/dist-packages/oversketch/py.typed": "python3-oversketch",
@@ -190,7 +193,8 @@ def test_man_pages_name_every_command_and_option(root, environment):
     summary = run(root / "usr" / "bin" / "oversketch", "--help", env=environment)
     verbs = sorted(set(re.findall(r"^  oversketch ([a-z][a-z-]+) ", summary, re.M)))
     assert verbs == ["assemble", "augment", "edit", "inflate", "mask", "one-stroke", "pose", "relax", "replay", "terrain", "transform"]
-    for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]])):
+    for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]]),
+                           ("oversketch-web", [["--help"]])):
         page = gzip.open(folder / (program + ".1.gz"), "rt").read()
         assert f"Oversketch {VERSION}" in page and "@" not in page
         text = page.replace("\\-", "-")

@@ -153,7 +153,8 @@ def main(folder):
     sys.path.insert(0, str(folder.parent))
     modules = [importlib.import_module(f"oversketch.{file.name.partition('.')[0]}") for file in sorted(folder.glob("Oversketch*.so"))]
     homes = Homes(modules)
-    package = ["from ._stroke import drawing as drawing, stroke as stroke, strokes as strokes",
+    package = ["from ._show import show as show",
+               "from ._stroke import drawing as drawing, stroke as stroke, strokes as strokes",
                "from ._update import FilterError as FilterError, update as update"]
     for module in modules:
         stub = Module(module)

@@ -144,7 +144,7 @@ def test_importing_loads_no_rendering_until_a_widget_is_asked_for():
 
 def test_all_names_can_be_imported_and_others_cannot():
     names = python("from oversketch import *\nprint(*(n for n in dir() if not n.startswith('_')))")
-    assert set(names) == {h.stem for h in HEADERS} | {"FilterError", "drawing", "stroke", "strokes", "update"}
+    assert set(names) == {h.stem for h in HEADERS} | {"FilterError", "drawing", "show", "stroke", "strokes", "update"}
     assert python("import oversketch\nprint(hasattr(oversketch, 'vtkOversketchNothing'), hasattr(oversketch, 'all'))") == ["False"] * 2
 
 

@@ -78,7 +78,7 @@ def test_there_are_headers():
 def test_the_package_names_every_class_and_helper():
     tree = ast.parse((PACKAGE / "__init__.pyi").read_text())
     named = {alias.asname for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names}
-    assert named == {h.stem for h in HEADERS} | {"FilterError", "drawing", "stroke", "strokes", "update"}
+    assert named == {h.stem for h in HEADERS} | {"FilterError", "drawing", "show", "stroke", "strokes", "update"}
     assert named <= set(dir(oversketch))
     assert (PACKAGE / "py.typed").exists()
 
