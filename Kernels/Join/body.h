@@ -18,6 +18,13 @@ struct Body
   std::vector<std::array<Vector3, 3>> weights;
   std::vector<int> part; // of each triangle: a number of the body that it came with
 
+  void reserve(std::size_t triangles)
+  {
+    this->mesh.triangles.reserve(triangles);
+    this->source.reserve(triangles);
+    this->weights.reserve(triangles);
+    this->part.reserve(triangles);
+  }
   void add(const Triangle& triangle, int of, const std::array<Vector3, 3>& at, int with)
   {
     this->mesh.triangles.push_back(triangle);

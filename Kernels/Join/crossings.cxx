@@ -141,9 +141,9 @@ struct Seen
   int edge, face;
   bool entering; // from the edge's lower vertex on
   bool ends;     // the curve ends there
-  bool operator<(const Seen& other) const
+  bool isOfPair(const Seen& other) const
   {
-    return std::tie(this->first, this->second) < std::tie(other.first, other.second);
+    return this->first == other.first && this->second == other.second;
   }
 };
 
@@ -221,28 +221,57 @@ private:
 
 } // namespace
 
+std::vector<FacePair> nearFaces(const Mesh& first,
+  const Mesh& second,
+  double distance,
+  const Context& context)
+{
+  const auto grown = [distance](Eigen::AlignedBox3d box)
+  {
+    box.min().array() -= distance;
+    box.max().array() += distance;
+    return box;
+  };
+  const Eigen::AlignedBox3d room = grown(boxRound(first.points)).intersection(grown(boxRound(second.points)));
+  std::vector<BoxedFace> ofFirst = facesIn(first, room), ofSecond = facesIn(second, room);
+  if (ofFirst.empty() || ofSecond.empty())
+  {
+    return {};
+  }
+  const FaceTree tree(ofSecond);
+  context.checkpoint(0.1);
+  constexpr int ofPart = 256;
+  const int count = static_cast<int>(ofFirst.size()), parts = (count + ofPart - 1) / ofPart;
+  std::vector<std::vector<FacePair>> found(static_cast<std::size_t>(parts));
+  context.eachUntilCancelled(parts,
+    [&](int part)
+    {
+      for (int i = part * ofPart; i < std::min(count, (part + 1) * ofPart); ++i)
+      {
+        tree.facesAt(grown(ofFirst[i].box), [&](int s) { found[part].push_back({ ofFirst[i].id, s }); });
+      }
+    });
+  context.checkpoint(0.2);
+  std::vector<FacePair> pairs;
+  for (const std::vector<FacePair>& some : found)
+  {
+    pairs.insert(pairs.end(), some.begin(), some.end());
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 Crossings findCrossings(const Mesh& first,
   const Adjacency& firstEdges,
   const Mesh& second,
   const Adjacency& secondEdges,
+  const std::vector<FacePair>& near,
   const Context& context)
 {
   Crossings result;
-  const Eigen::AlignedBox3d room = boxRound(first.points).intersection(boxRound(second.points));
-  if (room.isEmpty())
-  {
-    return result;
-  }
-  std::vector<BoxedFace> ofFirst = facesIn(first, room), ofSecond = facesIn(second, room);
-  if (ofFirst.empty() || ofSecond.empty())
-  {
-    return result;
-  }
-  const FaceTree tree(ofSecond);
-  context.checkpoint(0.1);
   const Pairs pairs(first, firstEdges, second, secondEdges);
-  constexpr int ofPart = 256;
-  const int count = static_cast<int>(ofFirst.size()), parts = (count + ofPart - 1) / ofPart;
+  constexpr int ofPart = 1024;
+  const int count = static_cast<int>(near.size()), parts = (count + ofPart - 1) / ofPart;
   std::vector<std::vector<Seen>> found(static_cast<std::size_t>(parts));
   std::vector<int> flat(static_cast<std::size_t>(parts), -1);
   context.eachUntilCancelled(parts,
@@ -250,17 +279,13 @@ Crossings findCrossings(const Mesh& first,
     {
       for (int i = part * ofPart; i < std::min(count, (part + 1) * ofPart); ++i)
       {
-        tree.facesAt(ofFirst[i].box,
-          [&](int s)
-          {
-            if (!pairs.add(ofFirst[i].id, s, found[part]))
-            {
-              flat[part] = ofFirst[i].id;
-            }
-          });
+        if (!pairs.add(near[i][0], near[i][1], found[part]))
+        {
+          flat[part] = near[i][0];
+        }
       }
     });
-  context.checkpoint(0.9);
+  context.checkpoint(0.6);
   std::vector<Seen> seen;
   for (int part = 0; part < parts; ++part)
   {
@@ -270,8 +295,6 @@ Crossings findCrossings(const Mesh& first,
     }
     seen.insert(seen.end(), found[part].begin(), found[part].end());
   }
-  std::stable_sort(seen.begin(), seen.end());
-
   // One crossing is seen by two pairs.
   const auto keyOf = [](const Seen& s) { return std::make_tuple(s.ofSecond, s.edge, s.face); };
   std::vector<int> order(seen.size());
@@ -300,7 +323,7 @@ Crossings findCrossings(const Mesh& first,
   }
   for (std::size_t i = 0; i < seen.size(); i += 2)
   {
-    if (i + 1 == seen.size() || seen[i] < seen[i + 1] || seen[i].ends == seen[i + 1].ends)
+    if (i + 1 == seen.size() || !seen[i].isOfPair(seen[i + 1]) || seen[i].ends == seen[i + 1].ends)
     {
       refuseFlat(first, seen[i].first);
     }
@@ -332,54 +355,29 @@ bool isInside(const Vector3& point, bool ofSecond, const Mesh& other)
   return inside;
 }
 
-std::vector<char> touching(const Mesh& mesh, const Mesh& surface, double distance, const Context& context)
+std::vector<int> touching(const Mesh& mesh,
+  const Mesh& surface,
+  const std::vector<FacePair>& near,
+  int own,
+  double distance)
 {
-  std::vector<char> touches(mesh.points.size(), 0);
-  const auto grown = [distance](Eigen::AlignedBox3d box)
+  std::vector<int> touches;
+  for (const FacePair& pair : near)
   {
-    box.min().array() -= distance;
-    box.max().array() += distance;
-    return box;
-  };
-  std::vector<BoxedFace> faces = facesIn(surface, grown(boxRound(mesh.points)));
-  if (faces.empty())
-  {
-    return touches;
-  }
-  const FaceTree tree(faces);
-  std::vector<char> flat(mesh.triangles.size(), 0);
-  context.each(mesh.vertexCount(),
-    [&](int v)
+    const Triangle& t = mesh.triangles[pair[own]];
+    const Corners c = cornersAt(surface, pair[1 - own]);
+    const Vector3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
+    const auto isInPlane = [&](int v) { return std::abs(normal.dot(mesh.points[v] - c[0])) <= distance; };
+    const bool flat = std::all_of(t.begin(), t.end(), isInPlane);
+    for (const int v : t)
     {
-      const Vector3& p = mesh.points[v];
-      tree.facesAt(grown(Eigen::AlignedBox3d(p)),
-        [&](int f)
-        {
-          const Corners c = cornersAt(surface, f);
-          touches[v] |= squaredDistance(c[0], c[1], c[2], p) <= distance * distance;
-        });
-    });
-  context.each(mesh.triangleCount(),
-    [&](int t)
-    {
-      const Corners own = cornersAt(mesh, t);
-      tree.facesAt(grown(boxAt(mesh, t)),
-        [&](int f)
-        {
-          const Corners c = cornersAt(surface, f);
-          const Vector3 normal = (c[1] - c[0]).cross(c[2] - c[0]).normalized();
-          flat[t] |= std::all_of(own.begin(),
-            own.end(),
-            [&](const Vector3& p) { return std::abs(normal.dot(p - c[0])) <= distance; });
-        });
-    });
-  for (int t = 0; t < mesh.triangleCount(); ++t)
-  {
-    for (const int v : mesh.triangles[t])
-    {
-      touches[v] |= flat[t];
+      if (flat || (isInPlane(v) && squaredDistance(c[0], c[1], c[2], mesh.points[v]) <= distance * distance))
+      {
+        touches.push_back(v);
+      }
     }
   }
+  sortUnique(touches);
   return touches;
 }
 

@@ -3,6 +3,7 @@
 #ifndef oversketch_kernels_join_crossings_h
 #define oversketch_kernels_join_crossings_h
 
+#include "Intersection/crossing_faces.h"
 #include "Mesh/context.h"
 #include "Mesh/mesh.h"
 
@@ -36,22 +37,35 @@ struct Crossings
   std::vector<CrossingPiece> pieces; // ascending by faces
 };
 
+// The pairs of faces, one of either surface, whose boxes, larger by a distance [model length], meet, in
+// ascending order.
+std::vector<FacePair> nearFaces(const Mesh& first,
+  const Mesh& second,
+  double distance,
+  const Context& context);
+
 // The second surface is taken to be moved by (e, e^2, e^3) for an e as small as one likes (H. Edelsbrunner,
 // E. Muecke, "Simulation of Simplicity", 1990): every question then has one answer, by CGAL's exact
-// predicates, and all answers fit together. Both surfaces are closed. Throws Error(BadMesh) where a face
+// predicates, and all answers fit together. Both surfaces are closed;
+// pairs are those of nearFaces. Throws Error(BadMesh) where a face
 // without area is met, Error(Cancelled).
 Crossings findCrossings(const Mesh& first,
   const Adjacency& firstEdges,
   const Mesh& second,
   const Adjacency& secondEdges,
+  const std::vector<FacePair>& near,
   const Context& context);
 
 // Whether a vertex of one surface lies inside the other: by the faces that a ray from it goes through.
 bool isInside(const Vector3& point, bool ofSecond, const Mesh& other);
 
 // Vertices of a mesh at most so far from a surface [model length], and those of faces that lie so near to the
-// plane of one of its faces over which they lie; one byte each.
-std::vector<char> touching(const Mesh& mesh, const Mesh& surface, double distance, const Context& context);
+// plane of a face near them; ascending. `own` is 0 where the mesh is the pairs' first one.
+std::vector<int> touching(const Mesh& mesh,
+  const Mesh& surface,
+  const std::vector<FacePair>& near,
+  int own,
+  double distance);
 
 } // namespace oversketch
 #endif

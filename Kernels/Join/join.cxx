@@ -24,6 +24,7 @@ std::vector<Body> bodiesOf(const JoinInput& input)
   {
     std::fill(point.begin(), point.end(), -1);
     Body& body = bodies[part];
+    body.reserve(static_cast<std::size_t>(std::count(input.parts.begin(), input.parts.end(), numbers[part])));
     for (int t = 0; t < input.mesh.triangleCount(); ++t)
     {
       if (input.parts[t] == numbers[part])

@@ -161,7 +161,7 @@ private:
     bool any = false;
     for (int v = 0; v < static_cast<int>(this->Number.size()); ++v)
     {
-      bool again = this->Number[v] >= 0;
+      bool again = this->Number[v] >= 0 && this->hasShortEdge(v);
       while (again)
       {
         again = false;
@@ -179,6 +179,18 @@ private:
       }
     }
     return any;
+  }
+
+  bool hasShortEdge(int v)
+  {
+    const std::vector<int>& faces = this->around(v);
+    return std::any_of(faces.begin(),
+      faces.end(),
+      [&](int f)
+      {
+        const int next = this->triangle(f)[(cornerOf(this->triangle(f), v) + 1) % 3];
+        return (this->at(next) - this->at(v)).squaredNorm() < this->Least * this->Least;
+      });
   }
 
   // Merges a point into a neighbour; false where that would not leave a surface.

@@ -31,10 +31,10 @@ class CutSurface
 {
 public:
   // places: where its vertices are for the question what is inside what.
-  CutSurface(const Body& body, std::vector<Vector3> places, int number)
+  CutSurface(const Body& body, std::vector<Vector3> places, int number, const Context& context)
     : Own(body)
     , Places({ std::move(places), body.mesh.triangles })
-    , Edges(buildAdjacency(body.mesh))
+    , Edges(buildAdjacency(body.mesh, context))
     , Number(number)
   {
     for (int e = 0; e < static_cast<int>(this->Edges.edges.size()); ++e)
@@ -457,19 +457,14 @@ private:
   std::vector<char> Inside; // of vertices: 1, 0, -1 not known
 };
 
-// The points, those that touch the other surface further out by a way.
-std::vector<Vector3> moved(const Mesh& mesh,
-  const Mesh& other,
-  double reach,
-  double way,
-  const Context& context)
+// The points, some of them further out by a way.
+std::vector<Vector3> moved(const Mesh& mesh, const std::vector<int>& moving, double way)
 {
   std::vector<Vector3> places = mesh.points;
-  const std::vector<int> touching = marked(oversketch::touching(mesh, other, reach, context));
-  if (!touching.empty())
+  if (!moving.empty())
   {
     const Lists around = trianglesAround(mesh);
-    for (const int v : touching)
+    for (const int v : moving)
     {
       places[v] += way * vertexNormal(mesh, around, v);
     }
@@ -482,13 +477,17 @@ std::vector<Vector3> moved(const Mesh& mesh,
 United unite(const Body& a, const Body& b, JoinKind kind, double least, const Context& context)
 {
   const double reach = least / 4.0, way = kind == JoinKind::Common ? -2.0 * reach : 2.0 * reach;
+  const std::vector<FacePair> near = nearFaces(a.mesh, b.mesh, 4.0 * reach, context);
   // What touches does so once: the second body's points first, then those of the first one that still do.
-  CutSurface second(b, moved(b.mesh, a.mesh, reach, way, context), 2);
-  CutSurface first(
-    a, moved(a.mesh, second.places(), reach, kind == JoinKind::Join ? way : -2.0 * reach, context), 1);
-  context.checkpoint(0.2);
+  CutSurface second(b, moved(b.mesh, touching(b.mesh, a.mesh, near, 1, reach), way), 2, context);
+  CutSurface first(a,
+    moved(
+      a.mesh, touching(a.mesh, second.places(), near, 0, reach), kind == JoinKind::Join ? way : -2.0 * reach),
+    1,
+    context);
+  context.checkpoint(0.4);
   const Crossings crossings =
-    findCrossings(first.places(), first.edges(), second.places(), second.edges(), context);
+    findCrossings(first.places(), first.edges(), second.places(), second.edges(), near, context);
   first.take(crossings, false, second.places());
   second.take(crossings, true, first.places());
   context.checkpoint(0.7);
@@ -504,6 +503,7 @@ United unite(const Body& a, const Body& b, JoinKind kind, double least, const Co
   {
     body.mesh.points.push_back(crossing.point);
   }
+  body.reserve(a.source.size() + b.source.size());
   first.keep(kind == JoinKind::Common, false, 0, crossed, body, cuts);
   second.keep(kind != JoinKind::Join, kind == JoinKind::Cut, own, crossed, body, cuts);
   united.changed.assign(body.mesh.triangles.size(), 0);
