@@ -94,7 +94,6 @@ class Visitor:
         with contextlib.suppress(ProcessLookupError):
             self.process and self.process.send_signal(why)
 
-
     async def end(self):
         """Ends the process, which keeps its session before; after a while in any case."""
         process = self.process
