@@ -318,6 +318,10 @@ TEST(Parts, TwoThatAreJoinedAreOneBody)
   Node node;
   node.id = 3;
   node.step = step;
+  for (Node& one : session.nodes)
+  {
+    one = changed(one, [](Step& coarse) { coarse.values["Levels"] = 0; });
+  }
   session.nodes.push_back(node);
   session.hidden = { { 2, 0 }, { 0, 0 } };
   Evaluator evaluator;

@@ -112,7 +112,6 @@ void ScenePanel::makeActions()
   this->Join->setToolTip(
     tr("Make one closed body of the parts of the chosen model. The form of the step then says which, and how "
        "wide the seam is."));
-  this->Join->setVisible(findSystem(joinSystem));
   connect(this->Join, &QToolButton::clicked, this, &ScenePanel::joinAsked);
   connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
   connect(this->AddPicture, &QAction::triggered, this, &ScenePanel::addAsked);
@@ -323,7 +322,9 @@ void ScenePanel::showSelected()
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
   this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
-  this->Join->setEnabled(!this->Parts.empty() && this->OpenDocument->whyNoSteps(joinSystem).isEmpty());
+  const bool joins = !this->Parts.empty() && findSystem(joinSystem);
+  this->Join->setVisible(joins); // else the row has no room for it on a small screen
+  this->Join->setEnabled(joins && this->OpenDocument->whyNoSteps(joinSystem).isEmpty());
   this->Remove->setEnabled((isPicture && !locked) || (isModel && several && row.part < 0));
   this->Opacity->setEnabled(isPicture && !locked);
   this->Filling = true;
