@@ -44,6 +44,16 @@ struct Chosen
 
 Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part)
 {
+  vtkDataArray* joined = part >= 0 ? mesh->GetFieldData()->GetArray("Joined") : nullptr;
+  for (vtkIdType i = 0; joined && i < joined->GetNumberOfTuples(); ++i)
+  {
+    if (joined->GetComponent(i, 0) == part)
+    {
+      throw Error(Failure::BadMesh,
+        "Part %1 is joined with others; place the whole mesh ({Part -1}), or switch the joining off.",
+        part);
+    }
+  }
   Chosen chosen;
   const vtkIdType count = mesh->GetNumberOfPoints();
   std::vector<char> own(static_cast<std::size_t>(count), part < 0), others(own.size(), 0);

@@ -17,11 +17,12 @@
  * parts so many. Field arrays of a part (Part0.Texture) are repeated for its copy (Part1.Texture). Of a 4-8
  * mesh the arrays that tell its hierarchy are left out.
  *
- * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, for a part that is not there, a point that
- * is of the part and of another one, a point that is not finite or would lie beyond 1e12, a face that names
- * no point, a PartId that is below 0 or not one int a face, and for lines, vertices or strips; BadStroke, for
- * a parameter that is not finite and a factor that is not above 0. An empty mesh gives an empty output
- * silently. A run that AbortExecute stopped needs Modified() before the next.
+ * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, for a part that is not there, one that is
+ * joined with others (field array Joined, vtkOversketchJoin), a point that is of the part and of another one,
+ * a point that is not finite or would lie beyond 1e12, a face that names no point, a PartId that is below 0
+ * or not one int a face, and for lines, vertices or strips; BadStroke, for a parameter that is not finite and
+ * a factor that is not above 0. An empty mesh gives an empty output silently. A run that AbortExecute stopped
+ * needs Modified() before the next.
  *
  * Deterministic: same result bit for bit for any number of threads.
  *

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace oversketch_session
@@ -27,13 +28,14 @@ namespace
 constexpr double farthest = 1e9;   // that a part is moved
 constexpr double narrowest = 1e-9; // of a box
 
-// The parts of a mesh as they come with it.
+// The parts of a mesh as they come with it. Those that are joined are hidden together, as the first of them.
 PartSources byNumbers(vtkPolyData* mesh)
 {
   PartSources parts;
+  const std::set<int> joined = oversketch_files::joinedOf(mesh);
   for (const int number : oversketch_files::partsOf(mesh))
   {
-    parts[number] = { 0, number };
+    parts[number] = { 0, joined.count(number) > 0 ? *joined.begin() : number };
   }
   return parts.empty() ? PartSources{ { 0, {} } } : parts;
 }
@@ -142,9 +144,12 @@ PartSource sourceOf(const PartSources& parts, int number)
 std::set<int> hiddenOf(const Model& model, const PartSources& parts)
 {
   std::set<int> hidden;
+  std::set<PartSource> all;
+  std::transform(
+    parts.begin(), parts.end(), std::inserter(all, all.end()), [](const auto& part) { return part.second; });
   for (const auto& [number, source] : parts)
   {
-    if (parts.size() > 1 && model.hidden.count(source) > 0)
+    if (all.size() > 1 && model.hidden.count(source) > 0)
     {
       hidden.insert(number);
     }

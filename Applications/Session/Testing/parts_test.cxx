@@ -301,6 +301,43 @@ TEST(Parts, OnesThatAreHiddenAreFoundAgain)
   EXPECT_EQ(hidden(), std::set<int>{ 1 });
 }
 
+// They wear pictures, so that their numbers stay; as one body they are hidden with the model alone.
+TEST(Parts, TwoThatAreJoinedAreOneBody)
+{
+  if (!findSystem("Join"))
+  {
+    return;
+  }
+  SessionFile file;
+  Session& session = file.session;
+  session = gnome();
+  session.nodes[1] = at(session.nodes[1], { { 64.0, 370.0, 576.0, 946.0 }, 110.0 });
+  auto step = std::make_shared<Step>();
+  step->system = "Join";
+  step->values = { { "Width", 12.0 } };
+  Node node;
+  node.id = 3;
+  node.step = step;
+  for (Node& one : session.nodes)
+  {
+    one = changed(one, [](Step& coarse) { coarse.values["Levels"] = 0; });
+  }
+  session.nodes.push_back(node);
+  session.hidden = { { 2, 0 }, { 0, 0 } };
+  Evaluator evaluator;
+  const auto outcomes = madeBy(evaluator, session);
+  vtkPolyData* apart = outcomes[1].mesh;
+  vtkPolyData* body = outcomes[2].mesh;
+  EXPECT_EQ(hiddenOf(session, sourcesOf(session, { outcomes[0], outcomes[1] })), std::set<int>{ 1 });
+  EXPECT_EQ(partsOf(body), (std::set<int>{ 0, 1 }));
+  EXPECT_EQ(oversketch_files::joinedOf(body), (std::set<int>{ 0, 1 }));
+  EXPECT_TRUE(oversketch_files::joinedOf(apart).empty());
+  EXPECT_EQ(hiddenOf(session, sourcesOf(session, outcomes)), std::set<int>()) << "a hole in a body";
+  EXPECT_LT(volumeOf(body), volumeOf(apart));
+  const SessionFile read = decode(Encoder().encode(file), "a");
+  EXPECT_EQ(bitsOf(read.session), digestOf(body));
+}
+
 TEST(Parts, OnesThatAreHiddenAreInTheFile)
 {
   SessionFile file;

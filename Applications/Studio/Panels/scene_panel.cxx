@@ -3,6 +3,7 @@
 #include "document.h"
 #include "models.h"
 #include "pieces.h"
+#include "systems.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -26,6 +27,7 @@ namespace
 {
 
 constexpr int lines = 4; // that the list shows before it scrolls
+constexpr const char* joinSystem = "Join";
 
 } // namespace
 
@@ -38,6 +40,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   , View(new QToolButton(this))
   , Lock(new QToolButton(this))
   , Remove(new QToolButton(this))
+  , Join(new QToolButton(this))
   , Export(new QAction(tr("Export the selecte&d model or part…"), this))
   , AddModel(new QAction(tr("Add a &model…"), this))
   , AddPicture(new QAction(tr("Add a p&icture…"), this))
@@ -56,7 +59,8 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->makeActions();
 
   auto* row = new QHBoxLayout;
-  for (QWidget* one : std::initializer_list<QWidget*>{ this->Add, this->Lock, this->Remove, this->View })
+  for (QWidget* one :
+    std::initializer_list<QWidget*>{ this->Add, this->Lock, this->Remove, this->Join, this->View })
   {
     row->addWidget(one);
   }
@@ -103,6 +107,12 @@ void ScenePanel::makeActions()
     tr("A locked model takes no strokes; a locked picture keeps its opacity and is not removed"));
   this->Remove->setText(tr("Remove"));
   this->Remove->setToolTip(tr("Take the selected model or picture out of the scene"));
+  this->Join->setText(tr("Join"));
+  this->Join->setObjectName("join_parts");
+  this->Join->setToolTip(
+    tr("Make one closed body of the parts of the chosen model. The form of the step then says which, and how "
+       "wide the seam is."));
+  connect(this->Join, &QToolButton::clicked, this, &ScenePanel::joinAsked);
   connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
   connect(this->AddPicture, &QAction::triggered, this, &ScenePanel::addAsked);
   connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
@@ -214,6 +224,9 @@ void ScenePanel::findParts()
 {
   vtkPolyData* mesh = this->OpenDocument->result().mesh;
   std::vector<int> parts = mesh ? oversketch_files::partsOf(mesh) : std::vector<int>();
+  const std::set<int> joined = mesh ? oversketch_files::joinedOf(mesh) : std::set<int>();
+  const auto isOfFirst = [&joined](int part) { return joined.count(part) > 0 && part != *joined.begin(); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), isOfFirst), parts.end());
   if (parts.size() < 2)
   {
     parts.clear();
@@ -309,6 +322,9 @@ void ScenePanel::showSelected()
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
   this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
+  const bool joins = !this->Parts.empty() && findSystem(joinSystem);
+  this->Join->setVisible(joins); // else the row has no room for it on a small screen
+  this->Join->setEnabled(joins && this->OpenDocument->whyNoSteps(joinSystem).isEmpty());
   this->Remove->setEnabled((isPicture && !locked) || (isModel && several && row.part < 0));
   this->Opacity->setEnabled(isPicture && !locked);
   this->Filling = true;
@@ -425,7 +441,7 @@ void ScenePanel::showMenu(const QPoint& at)
   {
     menu.addAction(this->Export);
   }
-  for (QToolButton* button : { this->Lock, this->Remove, this->View })
+  for (QToolButton* button : { this->Lock, this->Remove, this->Join, this->View })
   {
     if (button->isEnabled())
     {

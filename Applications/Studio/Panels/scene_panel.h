@@ -38,7 +38,8 @@ public:
 
 signals:
   void modelAsked();
-  void addAsked(); // a picture
+  void joinAsked(); // the parts of the chosen model
+  void addAsked();  // a picture
   // The camera is to go where the picture is seen.
   void viewAsked(int picture);
   // These parts of the chosen model are hidden (ModelView::hide).
@@ -78,7 +79,7 @@ private:
   Document* OpenDocument;
   QListWidget* List;
   QSlider* Opacity;
-  QToolButton *Add, *View, *Lock, *Remove;
+  QToolButton *Add, *View, *Lock, *Remove, *Join;
   QAction *Export, *AddModel, *AddPicture;
   std::vector<Row> Rows;
   std::vector<int> Parts; // of the chosen model, where it has several

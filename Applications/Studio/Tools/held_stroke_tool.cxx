@@ -39,6 +39,13 @@ namespace
 constexpr float lineWidth = 3.0F;
 constexpr double strokeGrabDistance = 6.0;
 
+// Empty for a system that is given none.
+std::string strokeInputOf(const std::string& system)
+{
+  const SystemInput* input = findInput(*findSystem(system), SystemInput::Kind::Stroke);
+  return input ? input->name : std::string();
+}
+
 double lengthOf(vtkPolyData* stroke)
 {
   double length = 0.0;
@@ -59,7 +66,7 @@ HeldStrokeTool::HeldStrokeTool(const std::string& system,
   SectionFinder::Look look)
   : Tool(viewport)
   , System(system)
-  , Input(findInput(*findSystem(system), SystemInput::Kind::Stroke)->name)
+  , Input(strokeInputOf(system))
   , View(viewport)
   , OpenDocument(document)
   , Section(*findSystem(system), this->Widget, std::move(look))

@@ -474,7 +474,8 @@ std::optional<int> PlaceTool::partAt(const Vector2& at)
     mesh, hiddenOf(this->OpenDocument->session(), this->OpenDocument->result().parts)));
   const auto hit = seen.at(*view, at);
   const bool isOne = oversketch_files::partsOf(mesh).size() < 2;
-  return hit ? std::optional<int>(isOne ? -1 : hit->part) : std::nullopt;
+  const bool isJoined = hit && oversketch_files::joinedOf(mesh).count(hit->part) > 0;
+  return hit ? std::optional<int>(isOne || isJoined ? -1 : hit->part) : std::nullopt;
 }
 
 // It is the hand's next.

@@ -140,6 +140,8 @@ signals:
   void remade(const oversketch_session::Step& step);
   // The line that was drawn is no stroke: one is that long at least [px of the screen].
   void tooShort(double least);
+  // It makes no step, for that reason.
+  void refused(const QString& why);
   // The hand gives the step that was offered other values; `mergesIntoLast`: of one movement with the last
   // time.
   void shaped(const oversketch_session::Values& values, bool mergesIntoLast);

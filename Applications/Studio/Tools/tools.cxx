@@ -12,6 +12,9 @@
 #include "profile_tool.h"
 #include "shade_tool.h"
 #endif
+#ifdef OVERSKETCH_WITH_JOIN
+#include "join_tool.h"
+#endif
 #ifdef OVERSKETCH_WITH_MASK
 #include "mask_tool.h"
 #endif
@@ -80,6 +83,9 @@ QVector<Tool*> makeTools(Viewport* viewport, const Document* document)
 #endif
 #ifdef OVERSKETCH_WITH_TRANSFORM
     new PlaceTool(viewport, document),
+#endif
+#ifdef OVERSKETCH_WITH_JOIN
+    new JoinTool(viewport, document),
 #endif
     new TurnTool(viewport),
   };

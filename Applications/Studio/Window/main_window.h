@@ -152,6 +152,7 @@ private:
   bool leavesRows() const; // whether the tool in the hand lets a click and Escape leave the selected row
   void chooseLine();
   void tooShort(double least);
+  void refuseLine(const QString& why);
 
   // The foot: main_window_advice.cxx.
   void advise();

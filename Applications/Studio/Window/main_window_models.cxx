@@ -1,6 +1,7 @@
 // The window's models: those of a scene, and which of them is worked on.
 #include "main_window.h"
 
+#include "history_panel.h"
 #include "models.h"
 #include "scene_panel.h"
 #include "status_labels.h"
@@ -57,6 +58,17 @@ void MainWindow::listenToModels()
   connect(this->Scene, &ScenePanel::partsHidden, this->View, &Viewport::hideParts);
   connect(this->Scene, &ScenePanel::exportAsked, this, &MainWindow::exportModel);
   connect(this->Scene, &ScenePanel::modelAsked, this, &MainWindow::addModelAsked);
+  connect(this->Scene,
+    &ScenePanel::joinAsked,
+    this,
+    [this]
+    {
+      Step step;
+      step.system = "Join";
+      const int row = this->OpenDocument->shownTo();
+      this->OpenDocument->add(step);
+      this->History->selectStep(row);
+    });
 }
 
 void MainWindow::addModelAsked()

@@ -29,6 +29,7 @@ void MainWindow::listenToRows()
   for (Tool* tool : this->Tools)
   {
     connect(tool, &Tool::tooShort, this, &MainWindow::tooShort);
+    connect(tool, &Tool::refused, this, &MainWindow::refuseLine);
   }
   auto* keys = new ViewKeys(this->View, [this] { return this->View->tool()->isBusy(); });
   connect(keys,
@@ -78,8 +79,13 @@ void MainWindow::clicked(const QPoint& place, int line)
 
 void MainWindow::tooShort(double least)
 {
+  this->refuseLine(tr("Too short: draw at least %1 px.").arg(least));
+}
+
+void MainWindow::refuseLine(const QString& why)
+{
   this->offerStep(); // which the pen has let go of
-  this->Advice->setText(tr("Too short: draw at least %1 px.").arg(least));
+  this->Advice->setText(why);
 }
 
 // The selected step's; else that of the step that the tool in the hand lets be taken hold of.

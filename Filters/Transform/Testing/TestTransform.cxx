@@ -352,6 +352,22 @@ TEST_F(Placed, ABadHandIsToldWhatIsWrong)
   expectRefusal(this->filter, Failure::BadMesh, "PartId must hold one int a face");
 }
 
+// Parts that wear pictures keep their numbers when they are joined (vtkOversketchJoin).
+TEST_F(Placed, PartsThatAreJoinedAreNotTornApart)
+{
+  vtkNew<vtkIntArray> joined;
+  joined->SetName("Joined");
+  joined->InsertNextValue(1);
+  this->mesh->GetFieldData()->AddArray(joined);
+  this->filter->SetMove(1.0, 0.0, 0.0);
+  this->filter->SetPart(1);
+  expectRefusal(this->filter, Failure::BadMesh, "Part 1 is joined with others");
+  this->filter->SetPart(0);
+  EXPECT_EQ(this->run()->GetPoint(0)[0], this->mesh->GetPoint(0)[0] + 1.0);
+  this->filter->SetPart(-1);
+  EXPECT_EQ(this->run()->GetPoint(8)[0], this->mesh->GetPoint(8)[0] + 1.0);
+}
+
 TEST_F(Placed, CancelLeavesNothing)
 {
   this->filter->SetMove(1.0, 0.0, 0.0);
