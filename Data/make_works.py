@@ -298,6 +298,9 @@ def gnome(hand):
     on_view = lambda *places: np.array([hand.on_view(*place) for place in places])
     lines(hand, 46, 26, on_view(*((x, 290) for x in np.linspace(364, 380, 12))))
     lines(hand, 24, 8, *(on_view(*spline([(372 + s * x, y) for x, y in ((18, 314), (36, 324), (55, 323), (66, 315))])) for s in (-1, 1)))
+    # One body, to be printed.
+    hand.take("button", "Join")
+    hand.type("spin button", "Seam", "13")
 
 
 def shell(hand):

@@ -19,7 +19,7 @@ from works import PICTURES  # noqa: E402
 FOLDER = os.path.join(HERE, "Works")
 # What each is drawn over, by whom the picture is painted, and the steps after the drawings.
 WORKS = {"creature": (("dragon", "legs", "wing", "horn"), {"Augment", "OneStroke", "Pose", "Transform"}),
-         "figure": (("figure_body", "figure_head", "figure_hat", "hair"), {"Augment", "Transform"}),
+         "figure": (("figure_body", "figure_head", "figure_hat", "hair"), {"Augment", "Join", "Transform"}),
          "relief": (("slab",), {"Augment", "Edit"})}
 
 
@@ -69,10 +69,20 @@ def test_a_work_replays_to_closed_surfaces_and_each_step_acts(name, tmp_path):
     known = ("bit for bit", "Not all is as drawn")  # some triangles of raised lines are turned over
     said = [line for line in done.stderr.splitlines() if line and not any(text in line for text in known)]
     assert done.returncode == 0 and not said, done.stderr
-    reader, edges = vtk.vtkXMLPolyDataReader(), vtk.vtkFeatureEdges()
+    reader, weld, edges = vtk.vtkXMLPolyDataReader(), vtk.vtkCleanPolyData(), vtk.vtkFeatureEdges()
     reader.SetFileName(out)
-    edges.SetInputConnection(reader.GetOutputPort())
+    weld.SetInputConnection(reader.GetOutputPort())
+    weld.SetTolerance(0.0)  # where parts are joined, pictures meet in places that have two points
+    edges.SetInputConnection((weld if "Join" in WORKS[name][1] else reader).GetOutputPort())
     edges.FeatureEdgesOff()
     edges.Update()
     assert edges.GetOutput().GetNumberOfCells() == 0, "borders, or edges of more than two triangles"
     assert reader.GetOutput().GetNumberOfPolys() > 10000 and reader.GetOutput().GetPointData().GetTCoords() is not None
+
+
+def test_the_figure_is_one_body_and_ready_to_print(tmp_path):
+    out = str(tmp_path / "figure.stl")
+    for line in (["replay", os.path.join(FOLDER, "figure.oversketch"), "-o", out], ["check", out]):
+        done = subprocess.run([os.environ["OVERSKETCH_COMMAND"], *line], capture_output=True, text=True)
+        assert done.returncode == 0, done.stdout + done.stderr
+    assert "Bodies: 1," in done.stdout and "Ready to print." in done.stdout

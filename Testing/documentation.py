@@ -80,7 +80,7 @@ def classes(root, room):
 def faults(root):
     documentation = root / "Documentation"
     paths = [root / f"{name}.md" for name in ("README", "CHANGELOG", "CONTRIBUTING", "ARCHITECTURE", "TROUBLESHOOTING")]
-    paths += sorted(documentation.glob("*.md")) + sorted(root.glob("Applications/*/README.md")) + sorted(root.glob("Filters/*/README.md"))
+    paths += sorted(documentation.rglob("*.md")) + sorted(root.glob("Applications/*/README.md")) + sorted(root.glob("Filters/*/README.md"))
     paths += [root / "Data" / "README.md"]
     pages = {path: Page(path) for path in paths}
     length = len(paths[0].read_text().splitlines())

@@ -8,6 +8,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 from browser import MODELS, browser, replayed, serve  # noqa: E402, F401
+from oversketch_web.strokes import laid  # noqa: E402
 
 # Round the dog's foot, in shares of the view; the pen is pressed hardest in the middle.
 ARCH = [(0.207 + 0.054 * (1 - math.cos(a)), 0.753 + 0.106 * math.sin(a), 0.3 + 0.6 * math.sin(a)) for a in [math.pi * k / 24 for k in range(25)]]
@@ -39,3 +40,11 @@ def test_an_outline_by_pen_is_undone_saved_and_replayed_to_the_same_bits(browser
         assert math.hypot(place[0] - x * width, place[1] - (1 - y) * height) < 1.0
     start = session.GetDigest()
     assert session.Update() and session.GetDigest() != start
+
+
+def test_a_line_lies_in_front_though_its_view_begins_within_the_model():
+    session = oversketch.vtkOversketchSession()
+    assert session.Open(str(MODELS.parent / "Works" / "relief.oversketch")), session.GetMessage()
+    assert all(session.SetStepOn(step, False) for step in range(2, 20)) and session.Update()
+    ring, = laid(session.GetStepInput(2, "Boundary"), session.GetMesh())
+    assert abs(ring[:, 2] - 45.0).max() < 0.1  # on a slab's face

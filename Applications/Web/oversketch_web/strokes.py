@@ -83,7 +83,8 @@ def laid(lines, mesh, by=(0.0, 0.0)):
         pixels = pixels[numpy.unique(numpy.linspace(0, len(pixels) - 1, samples).round().astype(int)), :2] + by
         eye = Eye(lines, cell)
         depths = numpy.full(len(pixels), numpy.nan)
-        for k, (near, far) in enumerate(zip(eye.world(pixels, -1.0), eye.world(pixels, 1.0))):
+        # From next to the eye on: a view's near plane may cut the model, as that of the window's strokes does.
+        for k, (near, far) in enumerate(zip(eye.world(pixels, -1e3), eye.world(pixels, 1.0))):
             if locator.IntersectWithLine(near, far, 0.0, t, x, inner, sub):
                 depths[k] = eye.seen([x])[0, 2]
         hit = numpy.flatnonzero(~numpy.isnan(depths))
