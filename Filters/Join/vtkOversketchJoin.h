@@ -86,7 +86,7 @@ public:
 
   /**
    * "parts": how many there were; "seam.sharpest_edge": what the seam's edges bend by at most [degrees], but
-   * those at sharp edges of the parts; NaN without a seam.
+   * those at edges of the parts that bend by over 11; NaN without a seam.
    */
   FigureList Figures() override;
 

@@ -22,7 +22,7 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 constexpr double sharp = 50.0;    // [degrees] edges of the parts that remeshing keeps
 constexpr double smooth = 11.0;   // [degrees] that edges of the seam are to bend by at most
 constexpr double triangles = 8.0; // over the width
-constexpr int mostRounds = 3;
+constexpr int mostRounds = 2;
 constexpr double mostSharp = 0.002; // of the seam's edges, by noise of the parts
 
 // A mesh whose triangles are of parts.
@@ -286,7 +286,7 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
     const Adjacency now = buildAdjacency(joined.mesh, context);
     const Parted parted{ joined.mesh, now, parts };
     const std::vector<double> ways = distancesToCrease(parted, width / 2.0);
-    std::vector<char> free(ways.size()), isSharp(ways.size(), 0);
+    std::vector<char> free(ways.size()), isSharp(ways.size(), 0), isRough(ways.size(), 0);
     for (std::size_t v = 0; v < ways.size(); ++v)
     {
       free[v] = ways[v] < width / 2.0;
@@ -294,10 +294,11 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
     for (int e = 0; e < static_cast<int>(now.edges.size()); ++e)
     {
       const MeshEdge& edge = now.edges[e];
-      if (!isCrease(parted, e) && bend(joined.mesh, now, e) > sharp)
-      {
-        isSharp[edge.v0] = isSharp[edge.v1] = 1;
-      }
+      const double bends = isCrease(parted, e) ? 0.0 : bend(joined.mesh, now, e);
+      isSharp[edge.v0] |= bends > sharp;
+      isSharp[edge.v1] |= bends > sharp;
+      isRough[edge.v0] |= bends > smooth;
+      isRough[edge.v1] |= bends > smooth;
     }
     fair(joined.mesh, now, free, isSharp, width, context);
     const double before = joined.rounds == 0 ? 180.0 : joined.sharpest;
@@ -306,7 +307,7 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
     for (int e = 0; e < static_cast<int>(now.edges.size()); ++e)
     {
       const MeshEdge& edge = now.edges[e];
-      if ((free[edge.v0] || free[edge.v1]) && !isSharp[edge.v0] && !isSharp[edge.v1])
+      if ((free[edge.v0] || free[edge.v1]) && !isRough[edge.v0] && !isRough[edge.v1])
       {
         const double bends = bend(joined.mesh, now, e);
         joined.sharpest = std::max(joined.sharpest, bends);

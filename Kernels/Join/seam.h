@@ -17,7 +17,8 @@ struct Joined
   Mesh mesh;
   std::vector<int> source;                          // of each triangle: the input's one under its middle
   std::vector<std::array<SurfacePoint, 3>> corners; // of each triangle, on the input
-  // Of the seam [degrees]: what its sharpest edge bends by, but for those that were sharp in the parts.
+  // Of the seam [degrees]: what its sharpest edge bends by, but for those at edges of the parts that bend by
+  // over 11.
   double sharpest = 0.0;
   int rounds = 0; // in which it was made finer
 };
@@ -36,8 +37,8 @@ constexpr int bridgePart = -1; // of a bar between two parts, which the seam may
 // length] come to lie where the surface bends as little as it can and goes on as beyond (thin plate, M.
 // Botsch, L. Kobbelt, "An intuitive framework for real-time freeform modeling", 2004, Sec. 3). Triangles
 // there are as large as those of the parts, at most an eighth of the width; smaller, to a half in each of up
-// to three rounds, while more than one edge in 500 bends by over 11 degrees. Beyond, points keep their bits,
-// triangles that reach into the seam are divided.
+// to two rounds, while more than one such edge in 500 bends by over 11 degrees. Beyond, points keep their
+// bits, triangles that reach into the seam are divided.
 //
 // Throws Error(BadRegion) where the seam would reach all over what is left of a part, with the widest one
 // that would do; Error(SolveFailed), Error(Cancelled).
