@@ -63,6 +63,9 @@ public:
    */
   vtkSetClampMacro(Operation, int, Join, Common);
   vtkGetMacro(Operation, int);
+  void SetOperationToJoin() { this->SetOperation(Join); }
+  void SetOperationToCut() { this->SetOperation(Cut); }
+  void SetOperationToCommon() { this->SetOperation(Common); }
   ///@}
 
   ///@{
