@@ -112,7 +112,15 @@ void ScenePanel::makeActions()
   this->Join->setToolTip(
     tr("Make one closed body of the parts of the chosen model. The form of the step then says which, and how "
        "wide the seam is."));
-  connect(this->Join, &QToolButton::clicked, this, &ScenePanel::joinAsked);
+  connect(this->Join,
+    &QToolButton::clicked,
+    this,
+    [this]
+    {
+      Step step;
+      step.system = joinSystem;
+      emit this->joinAsked(step);
+    });
   connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
   connect(this->AddPicture, &QAction::triggered, this, &ScenePanel::addAsked);
   connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
