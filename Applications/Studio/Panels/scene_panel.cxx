@@ -26,7 +26,8 @@ using namespace oversketch_session;
 namespace
 {
 
-constexpr int lines = 4; // that the list shows before it scrolls
+constexpr int lines = 4;     // that the list shows before it scrolls
+constexpr int shortest = 40; // px, of the slider
 constexpr const char* joinSystem = "Join";
 
 } // namespace
@@ -54,6 +55,8 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
   this->List->setMinimumHeight(line + frame); // on a small screen
   this->List->setMaximumHeight(lines * line + frame);
   this->Opacity->setRange(0, 100);
+  this->Opacity->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // it makes no room for itself
+  this->Opacity->setMinimumWidth(shortest);
   this->Opacity->setAccessibleName(tr("Opacity"));
   this->Opacity->setToolTip(tr("How strongly the selected picture is seen"));
   this->makeActions();
@@ -112,7 +115,16 @@ void ScenePanel::makeActions()
   this->Join->setToolTip(
     tr("Make one closed body of the parts of the chosen model. The form of the step then says which, and how "
        "wide the seam is."));
-  connect(this->Join, &QToolButton::clicked, this, &ScenePanel::joinAsked);
+  this->Join->setVisible(findSystem(joinSystem));
+  connect(this->Join,
+    &QToolButton::clicked,
+    this,
+    [this]
+    {
+      Step step;
+      step.system = joinSystem;
+      emit this->joinAsked(step);
+    });
   connect(this->AddModel, &QAction::triggered, this, &ScenePanel::modelAsked);
   connect(this->AddPicture, &QAction::triggered, this, &ScenePanel::addAsked);
   connect(this->View, &QToolButton::clicked, this, [this] { emit this->viewAsked(this->current()); });
@@ -322,9 +334,7 @@ void ScenePanel::showSelected()
   this->Lock->setEnabled(isModel || isPicture);
   this->Lock->setChecked(locked);
   this->Lock->setText(locked ? tr("Unlock") : tr("Lock"));
-  const bool joins = !this->Parts.empty() && findSystem(joinSystem);
-  this->Join->setVisible(joins); // else the row has no room for it on a small screen
-  this->Join->setEnabled(joins && this->OpenDocument->whyNoSteps(joinSystem).isEmpty());
+  this->Join->setEnabled(!this->Parts.empty() && this->OpenDocument->whyNoSteps(joinSystem).isEmpty());
   this->Remove->setEnabled((isPicture && !locked) || (isModel && several && row.part < 0));
   this->Opacity->setEnabled(isPicture && !locked);
   this->Filling = true;

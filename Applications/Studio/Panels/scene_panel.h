@@ -38,8 +38,8 @@ public:
 
 signals:
   void modelAsked();
-  void joinAsked(); // the parts of the chosen model
-  void addAsked();  // a picture
+  void joinAsked(const oversketch_session::Step& step); // of the parts of the chosen model
+  void addAsked();                                      // a picture
   // The camera is to go where the picture is seen.
   void viewAsked(int picture);
   // These parts of the chosen model are hidden (ModelView::hide).

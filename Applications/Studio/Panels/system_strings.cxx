@@ -26,6 +26,7 @@ const char* const terrainSystem = "Terrain";
 const char* const editSystemName = "Edit";
 const char* const maskSystemName = "Mask";
 const char* const poseSystemName = "Pose";
+const char* const joinSystemName = "Join";
 
 // "12 %", also where that is less than half a hundredth.
 QString shareOf(double share)
@@ -51,6 +52,10 @@ QString deedOf(const Step& step, const Worker::NodeState& state)
   if (step.system == maskSystemName)
   {
     return RowTexts::tr("keeps a part as it is");
+  }
+  if (step.system == joinSystemName)
+  {
+    return RowTexts::tr("makes one body of parts");
   }
   if (!state.region)
   {

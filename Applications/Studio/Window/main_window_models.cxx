@@ -61,10 +61,8 @@ void MainWindow::listenToModels()
   connect(this->Scene,
     &ScenePanel::joinAsked,
     this,
-    [this]
+    [this](const Step& step)
     {
-      Step step;
-      step.system = "Join";
       const int row = this->OpenDocument->shownTo();
       this->OpenDocument->add(step);
       this->History->selectStep(row);
