@@ -137,7 +137,18 @@ void addFields(vtkPolyData* part, int number, vtkFieldData* fields)
   {
     vtkAbstractArray* array = part->GetFieldData()->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
-    if (name != "Placement")
+    if (vtkDataArray* joined = name == "Joined" ? part->GetFieldData()->GetArray(i) : nullptr)
+    {
+      const auto all = fields->GetArray("Joined")
+                         ? vtkSmartPointer<vtkIntArray>(vtkIntArray::SafeDownCast(fields->GetArray("Joined")))
+                         : NewArray<vtkIntArray>("Joined", 1, 0);
+      for (vtkIdType k = 0; k < joined->GetNumberOfTuples(); ++k)
+      {
+        all->InsertNextValue(number + static_cast<int>(joined->GetComponent(k, 0)));
+      }
+      fields->AddArray(all);
+    }
+    else if (name != "Placement")
     {
       const vtkSmartPointer<vtkAbstractArray> copy = vtk::TakeSmartPointer(array->NewInstance());
       copy->DeepCopy(array);

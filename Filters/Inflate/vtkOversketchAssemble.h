@@ -12,9 +12,9 @@
  * Output 0 (Mesh): all of them, in the order of the connections. Point and cell arrays that every part has
  * are passed, normals not; texture coordinates are passed where any part has some, as doubles in TCoords, 0
  * on the others. Cell array PartId, int: the number of the connection, from 0. Field arrays of part 2 are
- * called Part2.Canvas and so on; its Placement is done and is not among them. A part that was assembled
- * itself (PartId) stays several: its numbers, and those in its arrays' names, are counted on, and later
- * connections after them.
+ * called Part2.Canvas and so on; its Placement is done and is not among them; Joined (vtkOversketchJoin) is
+ * one list for all, counted on. A part that was assembled itself (PartId) stays several: its numbers, and
+ * those in its arrays' names, are counted on, and later connections after them.
  *
  * Errors (vtkErrorCode::UserError + oversketch::Failure): BadMesh, naming the part, for a Placement that is
  * not 16 finite numbers of an affine transform or flattens the part, a point that is not finite, a PartId

@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <string>
 
 using namespace oversketch;
@@ -64,6 +65,16 @@ std::vector<int> numbersOf(vtkPolyData* mesh, const MeshData& welded)
   if (vtkIntArray* parts = PartNumbers(mesh))
   {
     numbers.assign(parts->GetPointer(0), parts->GetPointer(0) + mesh->GetNumberOfPolys());
+    std::set<int> joined; // are one body already
+    vtkDataArray* listed = mesh->GetFieldData()->GetArray("Joined");
+    for (vtkIdType i = 0; listed && i < listed->GetNumberOfTuples(); ++i)
+    {
+      joined.insert(static_cast<int>(listed->GetComponent(i, 0)));
+    }
+    for (int& number : numbers)
+    {
+      number = joined.count(number) > 0 ? *joined.begin() : number;
+    }
     std::vector<int> known = numbers;
     sortUnique(known);
     for (int& number : numbers)

@@ -12,9 +12,11 @@
  * edge. Sharp edges of the parts that run into a seam (over 50 degrees) end there.
  *
  * Input 0 (Mesh): closed parts, vtkPolyData of triangles: its parts by cell array PartId (one int a face, as
- * vtkOversketchAssemble writes it), without that, and without input 1, its pieces that hang together. Points
- * that a reader split are welded for computing (exactly equal positions). Input 1 (Other, optional): a
- * further mesh, whose parts come after those.
+ * vtkOversketchAssemble writes it; those in field array Joined, int, are one), without that, and without
+ * input 1, its pieces that hang together. Points that a reader split are welded for computing (exactly equal
+ * positions).
+ *
+ * Input 1 (Other, optional): a further mesh, whose parts come after those.
  *
  * Output 0 (Mesh): the body, points in double precision. Beyond the faces that were cut, and beyond the seam,
  * points keep their bits; point arrays are interpolated in the parts' own triangles and have two values, at

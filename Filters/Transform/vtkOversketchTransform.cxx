@@ -159,6 +159,16 @@ void transform(vtkPolyData* mesh, const Chosen& chosen, vtkTransform* transform,
 // Field arrays of parts, such as Part0.Texture, once more for their copies, whose numbers are so much higher.
 void repeatFields(vtkFieldData* fields, int part, int by)
 {
+  if (vtkDataArray* joined = part < 0 ? fields->GetArray("Joined") : nullptr)
+  {
+    const auto copy = vtk::TakeSmartPointer(joined->NewInstance());
+    copy->DeepCopy(joined);
+    for (vtkIdType i = 0; i < joined->GetNumberOfTuples(); ++i)
+    {
+      copy->InsertNextTuple1(joined->GetComponent(i, 0) + by);
+    }
+    fields->AddArray(copy);
+  }
   static const std::regex ofPart("Part(\\d{1,6})\\.(.*)");
   for (int i = fields->GetNumberOfArrays() - 1; i >= 0; --i)
   {

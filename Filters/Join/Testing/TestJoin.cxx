@@ -95,6 +95,15 @@ TEST(Join, EachFaceWearsThePictureOfItsPart)
       }
     }
     EXPECT_EQ(seen, (std::set<int>{ 0, 1 }));
+    // A further part joins that body, whose parts are one.
+    vtkNew<vtkOversketchJoin> again;
+    again->SetInputData(0, made);
+    again->SetInputData(1, toPolyData(shifted(icosphere(3), { 0.5, 1.2, 0.1 })));
+    again->Update();
+    EXPECT_EQ(again->GetErrorCode(), 0u);
+    EXPECT_EQ(again->GetFigure("parts"), 2.0);
+    ASSERT_NE(again->GetOutput()->GetFieldData()->GetArray("Joined"), nullptr);
+    EXPECT_EQ(again->GetOutput()->GetFieldData()->GetArray("Joined")->GetNumberOfTuples(), 3);
   }
 }
 
