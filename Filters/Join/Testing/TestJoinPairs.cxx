@@ -63,6 +63,10 @@ Mesh read(const std::string& name)
     return welded(shippedModel(name));
   }
   const std::string path = sharedData("meshes/" + name), end = name.substr(name.size() - 3);
+  if (path.empty())
+  {
+    return {};
+  }
   return end == "ply"   ? of(vtkSmartPointer<vtkPLYReader>::New(), path)
          : end == "obj" ? of(vtkSmartPointer<vtkOBJReader>::New(), path)
                         : of(vtkSmartPointer<vtkSTLReader>::New(), path);
@@ -337,9 +341,10 @@ TEST(Join, SixtyPairs)
       continue;
     }
     SCOPED_TRACE(pairs[i].name);
-    const Mesh a = pairs[i].a(), b = pairs[i].b();
-    if (a.points.empty() || b.points.empty()) // models that are not shipped are absent
+    const Mesh a = pairs[i].a(), b = a.points.empty() ? Mesh() : pairs[i].b();
+    if (b.points.empty()) // models that are not shipped are absent
     {
+      std::cout << pairs[i].name << ": skipped, a model is absent" << std::endl;
       continue;
     }
     vtkNew<vtkOversketchJoin> join;
