@@ -83,7 +83,8 @@ void writeGltf(const std::vector<Piece>& pieces,
   const std::string& path,
   bool binary);
 
-// Of triangles; an object for each part (cell array PartId), its vertices as the mesh's points are.
+// Takes triangles; each part (cell array PartId) is an object, whose vertices are the mesh's points as they
+// are.
 void write3mf(vtkPolyData* mesh, const std::string& path);
 
 // Number of triangles that the polygons of a mesh make.

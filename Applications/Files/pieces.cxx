@@ -129,17 +129,6 @@ std::vector<int> partsOf(vtkPolyData* mesh)
   return { parts.begin(), parts.end() };
 }
 
-std::set<int> joinedOf(vtkPolyData* mesh)
-{
-  std::set<int> joined;
-  vtkDataArray* numbers = mesh->GetFieldData()->GetArray("Joined");
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
-  {
-    joined.insert(static_cast<int>(numbers->GetComponent(i, 0)));
-  }
-  return joined;
-}
-
 vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part)
 {
   vtkSmartPointer<vtkPolyData> alone = extracted(mesh, facesOfAll(mesh)[part]);

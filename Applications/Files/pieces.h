@@ -29,8 +29,6 @@ std::vector<Piece> piecesOf(vtkPolyData* mesh);
 
 // The numbers of a mesh's parts (cell array PartId), ascending; none where it does not say.
 std::vector<int> partsOf(vtkPolyData* mesh);
-// Those of them that are one body all the same (field array Joined, vtkOversketchJoin).
-std::set<int> joinedOf(vtkPolyData* mesh);
 // One of them as a mesh of its own, with its picture; all but some, with all points, each at its place.
 vtkSmartPointer<vtkPolyData> partAlone(vtkPolyData* mesh, int part);
 vtkSmartPointer<vtkPolyData> withoutParts(vtkPolyData* mesh, const std::set<int>& parts);

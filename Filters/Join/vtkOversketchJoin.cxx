@@ -4,7 +4,7 @@
 #include "vtkOversketchAssemble.h"
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
-#include "vtkOversketchKept.h"
+#include "vtkOversketchJoinedParts.h"
 #include "vtkOversketchStepRunner.h"
 #include "vtkOversketchWeld.h"
 
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkPolyData> partsOf(vtkPolyData* mesh, vtkPolyData* other)
   return all;
 }
 
-// Of each triangle the number of its part, from 0 without gaps.
+// Number of each triangle's part, from 0 without gaps.
 std::vector<int> numbersOf(vtkPolyData* mesh, const MeshData& welded)
 {
   const Mesh& surface = welded.Surface();
@@ -65,12 +65,7 @@ std::vector<int> numbersOf(vtkPolyData* mesh, const MeshData& welded)
   if (vtkIntArray* parts = PartNumbers(mesh))
   {
     numbers.assign(parts->GetPointer(0), parts->GetPointer(0) + mesh->GetNumberOfPolys());
-    std::set<int> joined; // are one body already
-    vtkDataArray* listed = mesh->GetFieldData()->GetArray("Joined");
-    for (vtkIdType i = 0; listed && i < listed->GetNumberOfTuples(); ++i)
-    {
-      joined.insert(static_cast<int>(listed->GetComponent(i, 0)));
-    }
+    const std::set<int> joined = JoinedParts(mesh); // are one body already
     for (int& number : numbers)
     {
       number = joined.count(number) > 0 ? *joined.begin() : number;

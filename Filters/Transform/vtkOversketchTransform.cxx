@@ -2,6 +2,7 @@
 
 #include "vtkOversketchCarriedArrays.h"
 #include "vtkOversketchFilterTools.h"
+#include "vtkOversketchJoinedParts.h"
 #include "vtkOversketchMaskArray.h"
 
 #include "vtkBoundingBox.h"
@@ -44,15 +45,11 @@ struct Chosen
 
 Chosen chosenOf(vtkPolyData* mesh, vtkIntArray* numbers, int part)
 {
-  vtkDataArray* joined = part >= 0 ? mesh->GetFieldData()->GetArray("Joined") : nullptr;
-  for (vtkIdType i = 0; joined && i < joined->GetNumberOfTuples(); ++i)
+  if (part >= 0 && JoinedParts(mesh).count(part) > 0)
   {
-    if (joined->GetComponent(i, 0) == part)
-    {
-      throw Error(Failure::BadMesh,
-        "Part %1 is joined with others; place the whole mesh ({Part -1}), or switch the joining off.",
-        part);
-    }
+    throw Error(Failure::BadMesh,
+      "Part %1 is joined with others; place the whole mesh ({Part -1}), or switch the joining off.",
+      part);
   }
   Chosen chosen;
   const vtkIdType count = mesh->GetNumberOfPoints();

@@ -182,14 +182,6 @@ bool cross(const Mesh& mesh, int a, int b)
                      : common == 1 && fansMeet(cornersOf(mesh, a, atA), cornersOf(mesh, b, atB));
 }
 
-Box boxOf(const Mesh& mesh, int face)
-{
-  const Triangle& t = mesh.triangles[face];
-  Box box(mesh.points[t[0]]);
-  box.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
-  return box;
-}
-
 // The axes along which edges are longest and shortest: in boxes along them the needles of a stretched model
 // lie beside each other, where along x, y and z each would meet all.
 Eigen::Matrix3d axesOf(const Mesh& mesh, const std::vector<BoxedFace>& faces)

@@ -16,6 +16,14 @@ struct BoxedFace
   Eigen::AlignedBox3d box;
 };
 
+inline Eigen::AlignedBox3d boxOf(const Mesh& mesh, int face)
+{
+  const Triangle& t = mesh.triangles[face];
+  Eigen::AlignedBox3d box(mesh.points[t[0]]);
+  box.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
+  return box;
+}
+
 inline bool boxesMeet(const Eigen::AlignedBox3d& a, const Eigen::AlignedBox3d& b)
 {
   return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();

@@ -13,7 +13,7 @@ namespace oversketch
 struct Body
 {
   Mesh mesh;
-  // Of each triangle: the one that it lies on, and what its corners are of that one's corners.
+  // For each triangle: the one that it lies on, and what its corners are of that one's corners.
   std::vector<int> source;
   std::vector<std::array<Vector3, 3>> weights;
   std::vector<int> part; // of each triangle: a number of the body that it came with

@@ -28,12 +28,7 @@ std::pair<Foot, int> nearestFoot(const Body& body, const std::vector<Vector3>& p
   std::vector<BoxedFace> faces;
   for (int t = 0; t < body.mesh.triangleCount(); ++t)
   {
-    Eigen::AlignedBox3d box;
-    for (const int v : body.mesh.triangles[t])
-    {
-      box.extend(body.mesh.points[v]);
-    }
-    faces.push_back({ t, box });
+    faces.push_back({ t, boxOf(body.mesh, t) });
   }
   const FaceTree tree(faces);
   Foot best;

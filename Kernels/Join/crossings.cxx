@@ -77,7 +77,7 @@ int turnAbout(const Vector3& a, const Vector3& b, const Vector3& c, const Vector
   return turn;
 }
 
-// Whether an edge whose ends are on both sides of a face's plane goes through the face.
+// Tells whether an edge whose ends are on both sides of a face's plane goes through the face.
 bool goesThrough(const Vector3& a, const Vector3& b, const Corners& face, bool edgeOfSecond)
 {
   int turns[3];
@@ -110,21 +110,13 @@ Corners cornersAt(const Mesh& mesh, int face)
   return { mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]] };
 }
 
-Eigen::AlignedBox3d boxAt(const Mesh& mesh, int face)
-{
-  const Triangle& t = mesh.triangles[face];
-  Eigen::AlignedBox3d box(mesh.points[t[0]]);
-  box.extend(mesh.points[t[1]]).extend(mesh.points[t[2]]);
-  return box;
-}
-
 // The faces whose boxes meet a box, with their boxes.
 std::vector<BoxedFace> facesIn(const Mesh& mesh, const Eigen::AlignedBox3d& room)
 {
   std::vector<BoxedFace> faces;
   for (int f = 0; f < mesh.triangleCount(); ++f)
   {
-    const Eigen::AlignedBox3d box = boxAt(mesh, f);
+    const Eigen::AlignedBox3d box = boxOf(mesh, f);
     if (boxesMeet(box, room))
     {
       faces.push_back({ f, box });
@@ -147,7 +139,7 @@ struct Seen
   }
 };
 
-// What both surfaces have in common at a pair of faces.
+// Crossings of both surfaces at a pair of faces.
 class Pairs
 {
 public:
@@ -342,7 +334,7 @@ bool isInside(const Vector3& point, bool ofSecond, const Mesh& other)
   bool inside = false;
   for (int f = 0; end[0] > point[0] && f < other.triangleCount(); ++f)
   {
-    const Eigen::AlignedBox3d box = boxAt(other, f);
+    const Eigen::AlignedBox3d box = boxOf(other, f);
     if (box.max()[0] < point[0] || box.min()[1] > point[1] || box.max()[1] < point[1] ||
         box.min()[2] > point[2] || box.max()[2] < point[2])
     {

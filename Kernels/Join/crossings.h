@@ -56,7 +56,7 @@ Crossings findCrossings(const Mesh& first,
   const std::vector<FacePair>& near,
   const Context& context);
 
-// Whether a vertex of one surface lies inside the other: by the faces that a ray from it goes through.
+// Tells whether a vertex of one surface lies inside the other, by the faces that a ray from it goes through.
 bool isInside(const Vector3& point, bool ofSecond, const Mesh& other);
 
 // Vertices of a mesh at most so far from a surface [model length], and those of faces that lie so near to the

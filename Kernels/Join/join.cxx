@@ -59,14 +59,6 @@ double enclosedVolume(const Mesh& mesh)
   return six / 6.0;
 }
 
-// The faces that go through others though one of them at least is changed.
-std::vector<FacePair> tornIn(const Mesh& mesh, const std::vector<char>& changed, const Context& context)
-{
-  return std::find(changed.begin(), changed.end(), 1) == changed.end()
-           ? std::vector<FacePair>()
-           : crossingFaces(mesh, changed, context);
-}
-
 [[noreturn]] void refuseTorn(const Mesh& mesh, const FacePair& pair, std::size_t count)
 {
   const Vector3& p = mesh.points[mesh.triangles[pair[0]][0]];
@@ -87,7 +79,7 @@ United unitedSoundly(const Body& a, const Body& b, JoinKind kind, double diagona
   for (const double share : { 1e-6, 1e-8, 1e-5, 1e-10 })
   {
     united = unite(a, b, kind, share * diagonal, context);
-    torn = tornIn(united.body.mesh, united.changed, context);
+    torn = crossingFaces(united.body.mesh, united.changed, context);
     if (torn.empty())
     {
       return united;
@@ -170,7 +162,7 @@ Joined join(const JoinInput& input, const JoinOptions& options, const Context& c
     return asJoined(united);
   }
   Joined joined = roundSeam(input, united, options.width, context);
-  const std::vector<FacePair> torn = tornIn(joined.mesh, std::vector<char>(joined.source.size(), 1), context);
+  const std::vector<FacePair> torn = crossingFaces(joined.mesh, {}, context);
   if (!torn.empty() && torn.size() > crossingFaces(united.body.mesh, {}, context).size())
   {
     refuseTorn(joined.mesh, torn.front(), torn.size());

@@ -248,7 +248,7 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
   const std::vector<double> distance = distancesToCrease(whole, width / 2.0);
   requireRoom(whole, distance, width);
 
-  // What has a corner in the seam is divided; corners beyond stay.
+  // Triangles with a corner in the seam are divided; corners beyond stay.
   std::vector<char> region(body.mesh.points.size(), 0);
   for (const Triangle& t : body.mesh.triangles)
   {

@@ -17,7 +17,7 @@ struct Joined
   Mesh mesh;
   std::vector<int> source;                          // of each triangle: the input's one under its middle
   std::vector<std::array<SurfacePoint, 3>> corners; // of each triangle, on the input
-  // Of the seam [degrees]: what its sharpest edge bends by, but for those at edges of the parts that bend by
+  // Bend of the seam's sharpest edge [degrees], but for those at edges of the parts that bend by
   // over 11.
   double sharpest = 0.0;
   int rounds = 0; // in which it was made finer
@@ -44,7 +44,7 @@ constexpr int bridgePart = -1; // of a bar between two parts, which the seam may
 // that would do; Error(SolveFailed), Error(Cancelled).
 Joined roundSeam(const JoinInput& input, const United& united, double width, const Context& context);
 
-// The same of no width.
+// Joins without a seam.
 Joined asJoined(const United& united);
 
 } // namespace oversketch

@@ -95,7 +95,7 @@ private:
     return ends;
   }
 
-  // Whether triangles at a point look the same way and stay open when it goes to another one.
+  // Tells whether triangles at a point look the same way and stay open when it goes to another one.
   bool staysSound(int v, int to)
   {
     for (const int f : this->around(v))

@@ -1,4 +1,4 @@
-// What rounding and points that all but coincide leave where two bodies meet, taken out.
+// Slivers that rounding and points that all but coincide leave where two bodies meet, taken out.
 #ifndef oversketch_kernels_join_slivers_h
 #define oversketch_kernels_join_slivers_h
 

@@ -478,7 +478,7 @@ United unite(const Body& a, const Body& b, JoinKind kind, double least, const Co
 {
   const double reach = least / 4.0, way = kind == JoinKind::Common ? -2.0 * reach : 2.0 * reach;
   const std::vector<FacePair> near = nearFaces(a.mesh, b.mesh, 4.0 * reach, context);
-  // What touches does so once: the second body's points first, then those of the first one that still do.
+  // Points that touch do so once: the second body's points first, then those of the first one that still do.
   CutSurface second(b, moved(b.mesh, touching(b.mesh, a.mesh, near, 1, reach), way), 2, context);
   CutSurface first(a,
     moved(

@@ -53,7 +53,7 @@ struct PrintCheck
 
   // Area of the faces whose walls are thinner, or are sheets of no thickness.
   double thinArea(double wall) const;
-  // Whether no face has a fault, no wall is thinner, and there is a body.
+  // Tells whether no face has a fault, no wall is thinner, and there is a body.
   bool isReady(double wall) const;
 };
 

@@ -1,4 +1,4 @@
-// What a check for printing found, in words: a sentence a fact, sizes in millimetres.
+// Findings of a check for printing, in words: a sentence a fact, sizes in millimetres.
 #ifndef oversketch_kernels_print_print_facts_h
 #define oversketch_kernels_print_print_facts_h
 

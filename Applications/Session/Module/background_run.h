@@ -20,7 +20,7 @@ public:
 
   // Runs a model instead of what runs. Returns its ticket.
   std::uint64_t start(const Model& model);
-  // Of the last model that was started.
+  // Ticket of the last model that was started.
   std::uint64_t ticket() const { return this->Ticket; }
   bool isRunning() const;
   // The newest result that has come since the last call.

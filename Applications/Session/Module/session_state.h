@@ -37,10 +37,10 @@ public:
   void begin(Session session, std::optional<Look> look = {});
   // One step of undo, where it changes steps.
   void commit(Session next);
-  // The same about the step with that id, by its place; it becomes another.
+  // Changes the step with that id, by its place, as one step of undo; it becomes another.
   void edit(int id, const std::function<void(Session& next, std::size_t row)>& edit);
   void change(int id, const std::function<Step(const Step&)>& change, bool takesHoldAnew = false);
-  // One back, or forth.
+  // Goes one step of undo back, or forth.
   void goTo(bool back);
   void choose(std::size_t place);
 
@@ -48,7 +48,7 @@ public:
   void run();
   // Takes a result that has come.
   bool poll();
-  // Whether the result is that of the steps as they are.
+  // Tells whether the result is that of the steps as they are.
   bool isCurrent() const;
   // The deeds of a step as they are shown; null where it is another by now.
   const Worker::NodeState* stateOf(const Node& node) const;
@@ -61,7 +61,7 @@ public:
   vtkImageData* picture(int piece);
 
   SessionFile file();
-  // What an export writes; null where there is none yet.
+  // Gives what an export writes; null where there is none yet.
   vtkSmartPointer<vtkPolyData> whole() const;
 
   History Changes{ Session() };

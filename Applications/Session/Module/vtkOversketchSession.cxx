@@ -49,7 +49,7 @@ std::string numbered(const std::string& what, int number)
   return what + " " + std::to_string(number);
 }
 
-// What VTK says of a file is said by an error of the reader's; the terminal is others'.
+// Silences VTK: an error of the reader's says what is wrong with a file, and the terminal is others'.
 class QuietHere
 {
 public:

@@ -16,7 +16,7 @@
  * in place of an id, has changed nothing, and GetMessage() says why; after one that did its work GetMessage()
  * is what is to be known all the same, such as what a file's format drops, or empty.
  *
- * What methods take is copied. What they return is the caller's to look at, and stays while no result comes
+ * Methods copy what they take. Their results are the caller's to look at, and stay while no result comes
  * and nothing else is opened; a copy of it is the caller's to change.
  *
  * @sa vtkOversketchSystem
@@ -86,11 +86,11 @@ public:
    */
   void SetInput(const char* name, vtkPolyData* lines);
   /**
-   * The same of an input that is a picture or a grid of heights.
+   * Gives an input that is a picture or a grid of heights.
    */
   void SetInputFile(const char* name, const char* path);
   /**
-   * The same as an output of an earlier step, by its id; output 0 is its mesh.
+   * Gives an input as an output of an earlier step, by its id; output 0 is its mesh.
    */
   void SetInputStep(const char* name, int step, int port);
 
@@ -137,7 +137,7 @@ public:
   bool GetCanRedo();
   ///@}
   /**
-   * Whether all of it is in its file, or as it was opened.
+   * Tells whether all of it is in its file, or as it was opened.
    */
   bool GetSaved();
 
@@ -171,7 +171,7 @@ public:
    */
   void Start();
   /**
-   * Whether something runs.
+   * Tells whether something runs.
    */
   bool IsRunning();
   /**
@@ -183,7 +183,7 @@ public:
    */
   void Cancel();
   /**
-   * What of the run is done [0 to 1]; 1 where nothing runs.
+   * Share of the run that is done [0 to 1]; 1 where nothing runs.
    */
   double GetProgress();
   /**
@@ -202,7 +202,7 @@ public:
   const char* GetDigest();
   ///@{
   /**
-   * That mesh in pieces that wear one picture each, with point normals and without hidden parts; the picture
+   * Pieces of that mesh that wear one picture each, with point normals and without hidden parts; the picture
    * belongs to the piece's texture coordinates, null where it has none. Null for a number that is none.
    */
   int GetNumberOfPieces();

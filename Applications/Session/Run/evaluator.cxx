@@ -183,16 +183,12 @@ std::string Evaluator::resolve(Run& run, std::vector<std::uint64_t>& numbers)
     const auto given = step.inputs.find(input.name);
     if (given == step.inputs.end())
     {
-      if (input.kind == SystemInput::Kind::Mesh && input.optional)
-      {
-        continue;
-      }
-      if (input.kind == SystemInput::Kind::Mesh && run.outcome().mesh)
+      if (input.kind == SystemInput::Kind::Mesh && !input.optional && run.outcome().mesh)
       {
         inputs[input.name] = run.outcome().mesh;
         numbers.push_back(run.mesh);
       }
-      else if (input.kind == SystemInput::Kind::Mesh)
+      else if (input.kind == SystemInput::Kind::Mesh && !input.optional)
       {
         return "there is no mesh yet that it could act on";
       }

@@ -32,7 +32,7 @@ struct Look
   }
 };
 
-// That of a camera, without the size of its view; and a camera that looks so.
+// Look of a camera, without the size of its view; and a camera that looks so.
 Look lookOf(vtkCamera* camera);
 void lookAs(const Look& look, vtkCamera* camera);
 

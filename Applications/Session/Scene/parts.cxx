@@ -6,6 +6,7 @@
 #include "Inflate/placement.h"
 #include "Mesh/context.h"
 #include "vtkOversketchAssemble.h"
+#include "vtkOversketchJoinedParts.h"
 #include "vtkOversketchStepRunner.h"
 
 #include "vtkCellData.h"
@@ -32,7 +33,7 @@ constexpr double narrowest = 1e-9; // of a box
 PartSources byNumbers(vtkPolyData* mesh)
 {
   PartSources parts;
-  const std::set<int> joined = oversketch_files::joinedOf(mesh);
+  const std::set<int> joined = oversketch::JoinedParts(mesh);
   for (const int number : oversketch_files::partsOf(mesh))
   {
     parts[number] = { 0, joined.count(number) > 0 ? *joined.begin() : number };

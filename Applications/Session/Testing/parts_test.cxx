@@ -10,6 +10,8 @@
 #include "systems.h"
 #include "texture.h"
 
+#include "vtkOversketchJoinedParts.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
@@ -330,8 +332,8 @@ TEST(Parts, TwoThatAreJoinedAreOneBody)
   vtkPolyData* body = outcomes[2].mesh;
   EXPECT_EQ(hiddenOf(session, sourcesOf(session, { outcomes[0], outcomes[1] })), std::set<int>{ 1 });
   EXPECT_EQ(partsOf(body), (std::set<int>{ 0, 1 }));
-  EXPECT_EQ(oversketch_files::joinedOf(body), (std::set<int>{ 0, 1 }));
-  EXPECT_TRUE(oversketch_files::joinedOf(apart).empty());
+  EXPECT_EQ(oversketch::JoinedParts(body), (std::set<int>{ 0, 1 }));
+  EXPECT_TRUE(oversketch::JoinedParts(apart).empty());
   EXPECT_EQ(hiddenOf(session, sourcesOf(session, outcomes)), std::set<int>()) << "a hole in a body";
   EXPECT_LT(volumeOf(body), volumeOf(apart));
   const SessionFile read = decode(Encoder().encode(file), "a");

@@ -5,6 +5,8 @@
 #include "pieces.h"
 #include "systems.h"
 
+#include "vtkOversketchJoinedParts.h"
+
 #include <QAction>
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -236,7 +238,7 @@ void ScenePanel::findParts()
 {
   vtkPolyData* mesh = this->OpenDocument->result().mesh;
   std::vector<int> parts = mesh ? oversketch_files::partsOf(mesh) : std::vector<int>();
-  const std::set<int> joined = mesh ? oversketch_files::joinedOf(mesh) : std::set<int>();
+  const std::set<int> joined = mesh ? oversketch::JoinedParts(mesh) : std::set<int>();
   const auto isOfFirst = [&joined](int part) { return joined.count(part) > 0 && part != *joined.begin(); };
   parts.erase(std::remove_if(parts.begin(), parts.end(), isOfFirst), parts.end());
   if (parts.size() < 2)

@@ -9,6 +9,7 @@
 #include "pen_view.h"
 
 #include "vtkOversketchInteractorStyle.h"
+#include "vtkOversketchJoinedParts.h"
 #include "vtkOversketchTransform.h"
 
 #include "vtkAppendPolyData.h"
@@ -474,7 +475,7 @@ std::optional<int> PlaceTool::partAt(const Vector2& at)
     mesh, hiddenOf(this->OpenDocument->session(), this->OpenDocument->result().parts)));
   const auto hit = seen.at(*view, at);
   const bool isOne = oversketch_files::partsOf(mesh).size() < 2;
-  const bool isJoined = hit && oversketch_files::joinedOf(mesh).count(hit->part) > 0;
+  const bool isJoined = hit && oversketch::JoinedParts(mesh).count(hit->part) > 0;
   return hit ? std::optional<int>(isOne || isJoined ? -1 : hit->part) : std::nullopt;
 }
 

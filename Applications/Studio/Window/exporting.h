@@ -13,7 +13,7 @@ namespace oversketch_studio
 // nobody wants it. The path has the suffix of a format. A model that wears a picture is offered one that
 // keeps it.
 QString exportPathAsked(QWidget* parent, const QString& name, bool wearsPicture);
-// The same of a model that is to be printed, in a format of printers.
+// Asks for the path of a model that is to be printed, in a format of printers.
 QString printPathAsked(QWidget* parent, const QString& name);
 // Whether a file of that format keeps a model's picture.
 bool keepsPicture(const QString& path);

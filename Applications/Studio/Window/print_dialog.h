@@ -22,8 +22,8 @@ class PrintDialog : public QDialog
   Q_OBJECT
 
 public:
-  // Of a check that has run; `up`: the world's axis that is, 1 for y, 2 for z. `show` is given the model with
-  // its walls by colour, now and whenever that changes. Accepted, it is to be written, ready or not.
+  // Takes a check that has run; `up`: the world's axis that is, 1 for y, 2 for z. `show` is given the model
+  // with its walls by colour, now and whenever that changes. Accepted, it is to be written, ready or not.
   PrintDialog(vtkOversketchPrintCheck* check,
     int up,
     const std::function<void(vtkPolyData*)>& show,
