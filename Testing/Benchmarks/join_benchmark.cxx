@@ -2,13 +2,12 @@
 // The figures say whether the results compare: triangles and volume.
 #include "benchmark_frame.h"
 
+#include "Harness/cgal_surface.h"
 #include "Join/join.h"
 
 #include "vtkSMPTools.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <memory>
@@ -20,8 +19,8 @@ namespace oversketch_bench
 namespace
 {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using oversketch_test::cgalSurface;
+using oversketch_test::CgalSurface;
 
 Mesh turned(Mesh mesh)
 {
@@ -58,45 +57,7 @@ struct Ours
 
 struct Theirs
 {
-  SurfaceMesh first, second, one, two, out;
-
-  static SurfaceMesh surfaceOf(const Mesh& mesh)
-  {
-    SurfaceMesh surface;
-    for (const Vector3& p : mesh.points)
-    {
-      surface.add_vertex({ p[0], p[1], p[2] });
-    }
-    using Vertex = SurfaceMesh::Vertex_index;
-    for (const Triangle& t : mesh.triangles)
-    {
-      surface.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-    }
-    return surface;
-  }
-
-  Mesh result() const
-  {
-    Mesh mesh;
-    std::vector<int> id(this->out.number_of_vertices() + this->out.number_of_removed_vertices());
-    for (const auto v : this->out.vertices())
-    {
-      const Kernel::Point_3& p = this->out.point(v);
-      id[v] = mesh.vertexCount();
-      mesh.points.emplace_back(p.x(), p.y(), p.z());
-    }
-    for (const auto f : this->out.faces())
-    {
-      Triangle t;
-      int k = 0;
-      for (const auto v : CGAL::vertices_around_face(this->out.halfedge(f), this->out))
-      {
-        t[k++] = id[v];
-      }
-      mesh.triangles.push_back(t);
-    }
-    return mesh;
-  }
+  CgalSurface first, second, one, two, out;
 };
 
 } // namespace
@@ -150,19 +111,19 @@ void jobs()
       if (!*theirs)
       {
         *theirs = std::make_unique<Theirs>();
-        (*theirs)->first = Theirs::surfaceOf(model(size).mesh);
-        (*theirs)->second = Theirs::surfaceOf(turned(model(size).mesh));
+        (*theirs)->first = cgalSurface(model(size).mesh);
+        (*theirs)->second = cgalSurface(turned(model(size).mesh));
       }
       (*theirs)->one = (*theirs)->first;
       (*theirs)->two = (*theirs)->second;
-      (*theirs)->out = SurfaceMesh();
+      (*theirs)->out = CgalSurface();
     };
     job.run = [=]
     {
       CGAL::Polygon_mesh_processing::corefine_and_compute_union(
         (*theirs)->one, (*theirs)->two, (*theirs)->out);
     };
-    job.figures = [=] { return figuresOf((*theirs)->result()); };
+    job.figures = [=] { return figuresOf(oversketch_test::meshOfCgal((*theirs)->out)); };
     add(job);
   }
 }

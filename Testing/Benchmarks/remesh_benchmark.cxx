@@ -5,15 +5,14 @@
 // 1).
 #include "benchmark_frame.h"
 
+#include "Harness/cgal_surface.h"
 #include "Remesh/remesh.h"
 #include "Remesh/sizing.h"
 
 #include "vtkSMPTools.h"
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/Surface_mesh.h>
 #if __has_include(<CGAL/AABB_traits_3.h>) // CGAL 6
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
@@ -32,8 +31,8 @@ namespace oversketch_bench
 namespace
 {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using SurfaceMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Kernel = oversketch_test::CgalKernel;
+using SurfaceMesh = oversketch_test::CgalSurface;
 using Triangles = std::vector<Kernel::Triangle_3>;
 #if __has_include(<CGAL/AABB_traits_3.h>)
 using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::iterator>;
@@ -114,40 +113,9 @@ struct Theirs
   double length;
 
   explicit Theirs(const Mesh& mesh)
-    : length(meanEdgeLength(mesh))
+    : input(oversketch_test::cgalSurface(mesh))
+    , length(meanEdgeLength(mesh))
   {
-    for (const Vector3& p : mesh.points)
-    {
-      this->input.add_vertex(pointOf(p));
-    }
-    using Vertex = SurfaceMesh::Vertex_index;
-    for (const Triangle& t : mesh.triangles)
-    {
-      this->input.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2]));
-    }
-  }
-
-  Mesh result() const
-  {
-    Mesh mesh;
-    std::vector<int> id(this->output.number_of_vertices() + this->output.number_of_removed_vertices());
-    for (const auto v : this->output.vertices())
-    {
-      const Kernel::Point_3& p = this->output.point(v);
-      id[v] = mesh.vertexCount();
-      mesh.points.emplace_back(p.x(), p.y(), p.z());
-    }
-    for (const auto f : this->output.faces())
-    {
-      Triangle t;
-      int k = 0;
-      for (const auto v : CGAL::vertices_around_face(this->output.halfedge(f), this->output))
-      {
-        t[k++] = id[v];
-      }
-      mesh.triangles.push_back(t);
-    }
-    return mesh;
   }
 };
 
@@ -209,7 +177,7 @@ void jobs()
       CGAL::Polygon_mesh_processing::isotropic_remeshing(
         mesh.faces(), (*theirs)->length, mesh, CGAL::parameters::number_of_iterations(iterations));
     };
-    job.figures = [=] { return figuresOf((*theirs)->result(), model(size).mesh); };
+    job.figures = [=] { return figuresOf(oversketch_test::meshOfCgal((*theirs)->output), model(size).mesh); };
     add(job);
   }
 }

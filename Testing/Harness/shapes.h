@@ -75,18 +75,10 @@ inline Mesh box(const Vector3& low, const Vector3& high)
     mesh.points.emplace_back(
       (corner & 1 ? high : low)[0], (corner & 2 ? high : low)[1], (corner & 4 ? high : low)[2]);
   }
-  mesh.triangles = { { 0, 2, 3 },
-    { 0, 3, 1 },
-    { 4, 5, 7 },
-    { 4, 7, 6 },
-    { 0, 1, 5 },
-    { 0, 5, 4 },
-    { 2, 6, 7 },
-    { 2, 7, 3 },
-    { 0, 4, 6 },
-    { 0, 6, 2 },
-    { 1, 3, 7 },
-    { 1, 7, 5 } };
+  // clang-format off
+  mesh.triangles = { { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 }, { 0, 5, 4 },
+    { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } };
+  // clang-format on
   return mesh;
 }
 

@@ -13,10 +13,10 @@
 #include "vtkSTLReader.h"
 
 #ifdef OVERSKETCH_CGAL
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "Harness/cgal_surface.h"
+
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Surface_mesh.h>
 #endif
 
 #include <gtest/gtest.h>
@@ -252,26 +252,6 @@ std::vector<Pair> sixtyPairs()
   return pairs;
 }
 
-#ifdef OVERSKETCH_CGAL
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
-
-Surface surfaceOf(const Mesh& mesh)
-{
-  Surface surface;
-  for (const Vector3& p : mesh.points)
-  {
-    surface.add_vertex({ p[0], p[1], p[2] });
-  }
-  using Id = Surface::Vertex_index;
-  for (const Triangle& t : mesh.triangles)
-  {
-    surface.add_face(Id(t[0]), Id(t[1]), Id(t[2]));
-  }
-  return surface;
-}
-#endif
-
 struct Truth
 {
   double volume = 0.0;
@@ -285,12 +265,10 @@ std::optional<Truth> truthOf(const Mesh& a, const Mesh& b)
   try
   {
     namespace PMP = CGAL::Polygon_mesh_processing;
-    Surface one = surfaceOf(a), two = surfaceOf(b), out;
+    CgalSurface one = cgalSurface(a), two = cgalSurface(b), out;
     if (PMP::corefine_and_compute_union(one, two, out, CGAL::parameters::throw_on_self_intersection(true)))
     {
-      return Truth{ CGAL::to_double(PMP::volume(out)),
-        static_cast<int>(out.number_of_vertices()) - static_cast<int>(out.number_of_edges()) +
-          static_cast<int>(out.number_of_faces()) };
+      return Truth{ CGAL::to_double(PMP::volume(out)), eulerNumber(out) };
     }
   }
   catch (const std::exception&)
