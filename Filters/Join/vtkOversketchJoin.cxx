@@ -131,11 +131,11 @@ vtkSmartPointer<vtkPolyData> meshOf(const Joined& joined)
   for (int t = 0; t < count; ++t)
   {
     original->SetValue(t, joined.source[t]);
+    const std::array<SurfacePoint, 3> corners = joined.cornersOf(t);
     for (int k = 0; k < 3; ++k)
     {
-      const SurfacePoint& at = joined.corners[t][k];
-      cells->SetComponent(t, k, static_cast<double>(at.triangle));
-      std::copy(at.weights.begin(), at.weights.end(), weights->GetPointer(9 * t + 3 * k));
+      cells->SetValue(3 * t + k, corners[k].triangle);
+      std::copy(corners[k].weights.begin(), corners[k].weights.end(), weights->GetPointer(9 * t + 3 * k));
     }
   }
   for (vtkDataArray* array : std::initializer_list<vtkDataArray*>{ cells, weights, original })

@@ -239,7 +239,7 @@ std::vector<FacePair> crossingFaces(const Mesh& mesh,
   const Eigen::Matrix3d axes = axesOf(mesh, faces);
   const int count = static_cast<int>(faces.size());
   context.each(count, [&](int i) { faces[i].box = boxAlong(axes, mesh, faces[i].id); });
-  const FaceTree tree(faces);
+  const FaceTree tree(faces, context);
   context.checkpoint(0.2);
   // Each pair is met once, from the leaf of the one that comes last. An unchanged face is a leaf behind all.
   const auto findPairs = [&](const FaceTree::Node& leaf, const BoxedFace* own, std::vector<FacePair>& pairs)

@@ -2,6 +2,7 @@
 #ifndef oversketch_kernels_intersection_face_tree_h
 #define oversketch_kernels_intersection_face_tree_h
 
+#include "Mesh/context.h"
 #include "Mesh/mesh.h"
 
 #include <algorithm>
@@ -42,11 +43,12 @@ public:
   };
 
   // Sorts the faces, and keeps them by reference.
-  explicit FaceTree(std::vector<BoxedFace>& faces)
+  FaceTree(std::vector<BoxedFace>& faces, const Context& context)
     : Faces(faces)
   {
-    this->Nodes.reserve(faces.size() / 2 + 1);
-    this->divide(0, static_cast<int>(faces.size()));
+    const int count = static_cast<int>(faces.size());
+    this->Nodes.resize(static_cast<std::size_t>(nodesOf(count)));
+    this->divide(0, 0, count, context);
   }
   const std::vector<Node>& nodes() const { return this->Nodes; }
 
@@ -93,19 +95,24 @@ public:
   }
 
 private:
-  static constexpr int leafSize = 4;
+  static constexpr int leafSize = 4, ofThread = 4096; // faces
 
-  void divide(int begin, int end)
+  static int nodesOf(int faces)
   {
-    const int n = static_cast<int>(this->Nodes.size());
-    Node node{ {}, begin, end, -1 };
+    return faces <= leafSize ? 1 : 1 + nodesOf(faces / 2) + nodesOf(faces - faces / 2);
+  }
+
+  // Makes node n and those below it.
+  void divide(int n, int begin, int end, const Context& context)
+  {
+    Node& node = this->Nodes[n];
+    node = { {}, begin, end, -1 };
     Eigen::AlignedBox3d centers;
     for (int i = begin; i < end; ++i)
     {
       node.box.extend(this->Faces[i].box);
       centers.extend(this->Faces[i].box.center());
     }
-    this->Nodes.push_back(node);
     if (end - begin <= leafSize)
     {
       return;
@@ -122,9 +129,13 @@ private:
         const double x = a.box.min()[axis] + a.box.max()[axis], y = b.box.min()[axis] + b.box.max()[axis];
         return x < y || (x == y && a.id < b.id);
       });
-    this->divide(begin, middle);
-    this->Nodes[n].second = static_cast<int>(this->Nodes.size());
-    this->divide(middle, end);
+    node.second = n + 1 + nodesOf(middle - begin);
+    const auto divideHalf = [&](int half)
+    {
+      half == 0 ? this->divide(n + 1, begin, middle, context)
+                : this->divide(node.second, middle, end, context);
+    };
+    end - begin > ofThread ? context.each(2, divideHalf) : (divideHalf(0), divideHalf(1));
   }
 
   std::vector<BoxedFace>& Faces;

@@ -23,14 +23,14 @@ struct Foot
 };
 
 // The place of a body that is nearest to one of some points, and that point.
-std::pair<Foot, int> nearestFoot(const Body& body, const std::vector<Vector3>& points)
+std::pair<Foot, int> nearestFoot(const Body& body, const std::vector<Vector3>& points, const Context& context)
 {
   std::vector<BoxedFace> faces;
   for (int t = 0; t < body.mesh.triangleCount(); ++t)
   {
     faces.push_back({ t, boxOf(body.mesh, t) });
   }
-  const FaceTree tree(faces);
+  const FaceTree tree(faces, context);
   Foot best;
   int from = 0;
   double distance = (body.mesh.points.front() - points.front()).norm() * (1.0 + 1e-9);
@@ -58,10 +58,10 @@ std::pair<Foot, int> nearestFoot(const Body& body, const std::vector<Vector3>& p
 
 } // namespace
 
-Body barBetween(const Body& first, const Body& second, double thickness)
+Body barBetween(const Body& first, const Body& second, double thickness, const Context& context)
 {
-  const auto [onFirst, from] = nearestFoot(first, second.mesh.points);
-  const Foot onSecond = nearestFoot(second, { onFirst.point }).first;
+  const auto [onFirst, from] = nearestFoot(first, second.mesh.points, context);
+  const Foot onSecond = nearestFoot(second, { onFirst.point }, context).first;
   const Vector3 along = (onSecond.point - onFirst.point).normalized(), side = along.unitOrthogonal(),
                 up = along.cross(side);
   const double radius = thickness / 2.0, length = (onSecond.point - onFirst.point).norm() + 2.0 * thickness;
@@ -84,9 +84,8 @@ Body barBetween(const Body& first, const Body& second, double thickness)
   {
     const Body& body = ofSecond ? second : first;
     const Foot& foot = ofSecond ? onSecond : onFirst;
-    const auto& w = body.weights[foot.triangle];
-    const Vector3 at = foot.weights[0] * w[0] + foot.weights[1] * w[1] + foot.weights[2] * w[2];
-    bar.add(t, body.source[foot.triangle], { at, at, at }, bridgePart);
+    const Vector3 at = body.weightsAt(foot.triangle, foot.weights);
+    bar.add(t, body.source[foot.triangle], bridgePart, { at, at, at });
   };
   for (int k = 0; k < around; ++k)
   {

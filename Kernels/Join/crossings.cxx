@@ -218,19 +218,23 @@ std::vector<FacePair> nearFaces(const Mesh& first,
   double distance,
   const Context& context)
 {
+  const Mesh* const meshes[2] = { &first, &second };
   const auto grown = [distance](Eigen::AlignedBox3d box)
   {
     box.min().array() -= distance;
     box.max().array() += distance;
     return box;
   };
-  const Eigen::AlignedBox3d room = grown(boxRound(first.points)).intersection(grown(boxRound(second.points)));
-  std::vector<BoxedFace> ofFirst = facesIn(first, room), ofSecond = facesIn(second, room);
+  Eigen::AlignedBox3d boxes[2];
+  context.each(2, [&](int of) { boxes[of] = grown(boxRound(meshes[of]->points)); });
+  std::vector<BoxedFace> faces[2];
+  context.each(2, [&](int of) { faces[of] = facesIn(*meshes[of], boxes[0].intersection(boxes[1])); });
+  std::vector<BoxedFace>&ofFirst = faces[0], &ofSecond = faces[1];
   if (ofFirst.empty() || ofSecond.empty())
   {
     return {};
   }
-  const FaceTree tree(ofSecond);
+  const FaceTree tree(ofSecond, context);
   context.checkpoint(0.1);
   constexpr int ofPart = 256;
   const int count = static_cast<int>(ofFirst.size()), parts = (count + ofPart - 1) / ofPart;

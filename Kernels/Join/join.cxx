@@ -39,7 +39,7 @@ std::vector<Body> bodiesOf(const JoinInput& input)
           }
           v = point[v];
         }
-        body.add(ids, t, wholeCorners(), numbers[part]);
+        body.add(ids, t, numbers[part]);
       }
     }
   }
@@ -138,7 +138,7 @@ Joined join(const JoinInput& input, const JoinOptions& options, const Context& c
       next = 0;
       const Body& other = bodies[waiting.front()];
       made = unitedSoundly(
-        united.body, barBetween(united.body, other, options.width), options.kind, diagonal, context);
+        united.body, barBetween(united.body, other, options.width, context), options.kind, diagonal, context);
       made = unitedSoundly(made.body, other, options.kind, diagonal, context);
     }
     if (next == waiting.size())
@@ -159,7 +159,7 @@ Joined join(const JoinInput& input, const JoinOptions& options, const Context& c
   }
   if (options.width <= 0.0)
   {
-    return asJoined(united);
+    return asJoined(std::move(united));
   }
   Joined joined = roundSeam(input, united, options.width, context);
   const std::vector<FacePair> torn = crossingFaces(joined.mesh, {}, context);

@@ -28,7 +28,7 @@ Body bodyOf(const Mesh& mesh, int firstSource = 0)
   body.mesh.points = mesh.points;
   for (const Triangle& t : mesh.triangles)
   {
-    body.add(t, firstSource + static_cast<int>(body.source.size()), wholeCorners(), firstSource > 0 ? 1 : 0);
+    body.add(t, firstSource + static_cast<int>(body.source.size()), firstSource > 0 ? 1 : 0);
   }
   return body;
 }

@@ -206,25 +206,27 @@ void fair(Mesh& mesh,
 // A place on a body as one on what it was made of.
 SurfacePoint placeOn(const Body& body, const SurfacePoint& at)
 {
-  const auto& weights = body.weights[at.triangle];
-  const Vector3 w = at.weights[0] * weights[0] + at.weights[1] * weights[1] + at.weights[2] * weights[2];
+  const Vector3 w = body.weightsAt(at.triangle, { at.weights[0], at.weights[1], at.weights[2] });
   return { body.source[at.triangle], { w[0], w[1], w[2] } };
 }
 
 } // namespace
 
-Joined asJoined(const United& united)
+Joined asJoined(United united)
 {
+  const Body& body = united.body;
   Joined joined;
-  joined.mesh = united.body.mesh;
-  joined.source = united.body.source;
-  joined.corners.reserve(joined.source.size());
-  for (int t = 0; t < joined.mesh.triangleCount(); ++t)
+  joined.corners.resize(body.weights.size());
+  for (int t = 0; t < body.mesh.triangleCount(); ++t)
   {
-    const auto whole = RemeshResult::wholeTriangle(t);
-    joined.corners.push_back(
-      { placeOn(united.body, whole[0]), placeOn(united.body, whole[1]), placeOn(united.body, whole[2]) });
+    for (int k = 0; k < 3 && !body.isWhole(t); ++k)
+    {
+      joined.corners[body.cut[t]][k] = placeOn(body, wholeTriangle(t)[k]);
+    }
   }
+  joined.mesh = std::move(united.body.mesh);
+  joined.source = std::move(united.body.source);
+  joined.cut = std::move(united.body.cut);
   return joined;
 }
 
@@ -272,15 +274,21 @@ Joined roundSeam(const JoinInput& input, const United& creased, double width, co
     RemeshInput remeshing{ body.mesh, region, lengthsOf(body.mesh, body.source), charts, held };
     RemeshResult made = remesh(remeshing, context);
     joined.source.clear();
+    joined.cut.clear();
     joined.corners.clear();
     std::vector<int> parts;
     for (int t = 0; t < made.mesh.triangleCount(); ++t)
     {
-      const std::array<SurfacePoint, 3> corners = made.corners(t);
-      joined.source.push_back(body.source[made.triangleSource[t]]);
-      parts.push_back(body.part[made.triangleSource[t]]);
-      joined.corners.push_back(
-        { placeOn(body, corners[0]), placeOn(body, corners[1]), placeOn(body, corners[2]) });
+      const int of = made.triangleSource[t];
+      const bool isWhole = t < made.outsideTriangles && body.isWhole(of);
+      joined.source.push_back(body.source[of]);
+      joined.cut.push_back(isWhole ? -1 : static_cast<int>(joined.corners.size()));
+      parts.push_back(body.part[of]);
+      if (!isWhole)
+      {
+        const std::array<SurfacePoint, 3> at = made.corners(t);
+        joined.corners.push_back({ placeOn(body, at[0]), placeOn(body, at[1]), placeOn(body, at[2]) });
+      }
     }
     joined.mesh = std::move(made.mesh);
     const Adjacency now = buildAdjacency(joined.mesh, context);

@@ -15,12 +15,20 @@ namespace oversketch
 struct Joined
 {
   Mesh mesh;
-  std::vector<int> source;                          // of each triangle: the input's one under its middle
-  std::vector<std::array<SurfacePoint, 3>> corners; // of each triangle, on the input
+  // For each triangle: the input's one under its middle, and where its corners on the input stand, -1 of a
+  // whole one.
+  std::vector<int> source, cut;
+  std::vector<std::array<SurfacePoint, 3>> corners;
   // Bend of the seam's sharpest edge [degrees], but for those at edges of the parts that bend by
   // over 11.
   double sharpest = 0.0;
   int rounds = 0; // in which it was made finer
+
+  std::array<SurfacePoint, 3> cornersOf(int triangle) const
+  {
+    return this->cut[triangle] < 0 ? wholeTriangle(this->source[triangle])
+                                   : this->corners[this->cut[triangle]];
+  }
 };
 
 // The input, of which the body was made.
@@ -45,7 +53,7 @@ constexpr int bridgePart = -1; // of a bar between two parts, which the seam may
 Joined roundSeam(const JoinInput& input, const United& united, double width, const Context& context);
 
 // Joins without a seam.
-Joined asJoined(const United& united);
+Joined asJoined(United united);
 
 } // namespace oversketch
 #endif

@@ -4,6 +4,7 @@
 #include "Mesh/shape.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace oversketch
@@ -22,17 +23,19 @@ public:
     , Least(least)
     , Number(united.isNew.size(), -1)
   {
-    // Points at triangles with a new point; all triangles round those are listed.
-    for (const Triangle& t : this->Whole.mesh.triangles)
+    // Points at triangles with a new point, which are changed ones; all triangles round those are listed.
+    std::vector<char> isReached(this->Number.size(), 0);
+    for (int f = 0; f < this->Whole.mesh.triangleCount(); ++f)
     {
-      if (this->IsNew[t[0]] || this->IsNew[t[1]] || this->IsNew[t[2]])
+      const Triangle& t = this->triangle(f);
+      if (this->Changed[f] && (this->IsNew[t[0]] || this->IsNew[t[1]] || this->IsNew[t[2]]))
       {
-        for (const int v : t)
-        {
-          this->reach(v);
-        }
+        isReached[t[0]] = isReached[t[1]] = isReached[t[2]] = 1;
       }
     }
+    this->Reached = marked(isReached);
+    this->Number = placesIn(this->Reached, this->Number.size());
+    this->Around.resize(this->Reached.size());
     for (int f = 0; f < this->Whole.mesh.triangleCount(); ++f)
     {
       this->list(f);
@@ -41,20 +44,18 @@ public:
 
   void remove()
   {
-    for (int round = 0; round < 20; ++round)
+    bool any = true;
+    while (any)
     {
-      const bool merged = this->mergeAll();
-      if (!this->flipAll() && !merged)
-      {
-        return;
-      }
+      any = this->mergeAll();
+      any |= this->flipAll();
     }
   }
 
   // See coarsenCrease.
   void coarsen(const std::vector<double>& lengths)
   {
-    for (int v = 0; v < static_cast<int>(this->Number.size()); ++v)
+    for (const int v : this->Reached)
     {
       if (this->Number[v] < 0 || !this->IsNew[v])
       {
@@ -117,14 +118,6 @@ private:
     return true;
   }
 
-  void reach(int v)
-  {
-    if (this->Number[v] < 0)
-    {
-      this->Number[v] = static_cast<int>(this->Around.size());
-      this->Around.emplace_back();
-    }
-  }
   void list(int f)
   {
     for (const int v : this->Whole.mesh.triangles[f])
@@ -159,7 +152,7 @@ private:
   bool mergeAll()
   {
     bool any = false;
-    for (int v = 0; v < static_cast<int>(this->Number.size()); ++v)
+    for (const int v : this->Reached)
     {
       bool again = this->Number[v] >= 0 && this->hasShortEdge(v);
       while (again)
@@ -241,18 +234,27 @@ private:
   bool flipAll()
   {
     bool any = false;
-    for (int v = 0; v < static_cast<int>(this->Number.size()); ++v)
+    for (const int v : this->Reached)
     {
       const std::vector<int> faces = this->Number[v] >= 0 ? this->around(v) : std::vector<int>();
       for (const int f : faces)
       {
-        any |= cornerOf(this->triangle(f), v) >= 0 && this->flip(f);
+        any |= this->isFirstOf(v, f) && this->flip(f);
       }
     }
     return any;
   }
 
-  // Flips a low triangle's longest edge, which then goes through its third corner.
+  // Tells whether a point is the first of a triangle's that has a list.
+  bool isFirstOf(int v, int f)
+  {
+    const Triangle& t = this->triangle(f);
+    return cornerOf(t, v) >= 0 &&
+           std::all_of(t.begin(), t.end(), [&](int n) { return n >= v || this->Number[n] < 0; });
+  }
+
+  // Flips a low triangle's longest edge, which then goes through its third corner. An edge that has gone does
+  // not come back, so that low neighbours do not flip to and fro.
   bool flip(int f)
   {
     const Triangle t = this->triangle(f);
@@ -282,20 +284,21 @@ private:
     const Triangle beyond = this->triangle(other);
     const int atB = cornerOf(beyond, b), atA = (atB + 1) % 3, atD = (atB + 2) % 3, d = beyond[atD];
     const std::vector<int> near = this->neighbours(c);
-    if (d == c || std::binary_search(near.begin(), near.end(), d))
+    if (d == c || std::binary_search(near.begin(), near.end(), d) || this->Gone.count(std::minmax(c, d)) > 0)
     {
       return false;
     }
+    this->Gone.insert(std::minmax(a, b));
     // Both lie on what the other triangle does.
-    const std::array<Vector3, 3> w = this->Whole.weights[other];
+    const CornerWeights w = this->Whole.weightsOf(other);
     const Vector3 middle = (1.0 - share) * w[atA] + share * w[atB];
     this->Changed[f] = this->Changed[other] = 1;
     this->triangle(f) = { a, d, c };
     this->triangle(other) = { d, b, c };
     this->Whole.source[f] = this->Whole.source[other];
     this->Whole.part[f] = this->Whole.part[other];
-    this->Whole.weights[f] = { w[atA], w[atD], middle };
-    this->Whole.weights[other] = { w[atD], w[atB], middle };
+    this->Whole.setWeights(f, { w[atA], w[atD], middle });
+    this->Whole.setWeights(other, { w[atD], w[atB], middle });
     this->unlist(b, f);
     this->unlist(a, other);
     this->around(c).push_back(other);
@@ -310,8 +313,10 @@ private:
   const std::vector<char>& IsNew;
   std::vector<char>& Changed;
   const double Least;
-  std::vector<int> Number; // of a point's list in Around; -1: it has none
+  std::vector<int> Reached; // points that had a list, ascending
+  std::vector<int> Number;  // of a point's list in Around; -1: it has none
   std::vector<std::vector<int>> Around;
+  std::set<std::pair<int, int>> Gone; // edges, the lower end first
 };
 
 void leaveOutUnused(United& united)
@@ -327,14 +332,14 @@ void leaveOutUnused(United& united)
       united.changed[kept] = united.changed[f];
       body.source[kept] = body.source[f];
       body.part[kept] = body.part[f];
-      body.weights[kept++] = body.weights[f];
+      body.cut[kept++] = body.cut[f];
     }
   }
   triangles.resize(kept);
   united.changed.resize(kept);
   body.source.resize(kept);
   body.part.resize(kept);
-  body.weights.resize(kept);
+  body.cut.resize(kept);
   std::vector<char> used(body.mesh.points.size(), 0);
   for (const Triangle& t : triangles)
   {

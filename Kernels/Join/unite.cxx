@@ -30,34 +30,38 @@ namespace
 class CutSurface
 {
 public:
-  // places: where its vertices are for the question what is inside what.
-  CutSurface(const Body& body, std::vector<Vector3> places, int number, const Context& context)
+  CutSurface(const Body& body, int number, const Context& context)
     : Own(body)
-    , Places({ std::move(places), body.mesh.triangles })
+    , Places(body.mesh)
     , Edges(buildAdjacency(body.mesh, context))
     , Number(number)
   {
-    for (int e = 0; e < static_cast<int>(this->Edges.edges.size()); ++e)
+    std::vector<char> isTorn(this->Edges.edges.size());
+    context.each(static_cast<int>(isTorn.size()), [&](int e) { isTorn[e] = this->isPaired(e) ? 0 : 1; });
+    const auto torn = std::find(isTorn.begin(), isTorn.end(), 1);
+    if (torn != isTorn.end())
     {
-      const MeshEdge& edge = this->Edges.edges[e];
-      const Lists::Range at = this->Edges.trianglesAt(e);
-      const bool paired =
-        edge.triangleCount == 2 && runsAlong(this->triangle(at.begin()[0]), edge.v0, edge.v1) !=
-                                     runsAlong(this->triangle(at.begin()[1]), edge.v0, edge.v1);
-      if (!paired)
-      {
-        const Vector3& p = body.mesh.points[edge.v0];
-        throw Error(Failure::BadMesh,
-          edge.triangleCount == 1
-            ? "Part %1 is not closed: near {(%2, %3, %4)} an edge has one triangle; close the hole first."
-            : "Part %1 is no closed surface: near {(%2, %3, %4)} an edge has %5 triangles, or two that are "
-              "turned against each other; mend it first.",
-          number,
-          p[0],
-          p[1],
-          p[2],
-          edge.triangleCount);
-      }
+      const MeshEdge& edge = this->Edges.edges[torn - isTorn.begin()];
+      const Vector3& p = body.mesh.points[edge.v0];
+      throw Error(Failure::BadMesh,
+        edge.triangleCount == 1
+          ? "Part %1 is not closed: near {(%2, %3, %4)} an edge has one triangle; close the hole first."
+          : "Part %1 is no closed surface: near {(%2, %3, %4)} an edge has %5 triangles, or two that are "
+            "turned against each other; mend it first.",
+        number,
+        p[0],
+        p[1],
+        p[2],
+        edge.triangleCount);
+    }
+  }
+
+  // Moves some vertices further out by a way, for the question what is inside what.
+  void move(const std::vector<int>& vertices, double way)
+  {
+    for (const int v : vertices)
+    {
+      this->Places.points[v] += way * vertexNormal(this->Own.mesh, this->Edges.vertexTriangles, v);
     }
   }
 
@@ -119,7 +123,14 @@ public:
       else if (this->isKept(t[0], inside))
       {
         const Triangle moved{ own + t[0], own + t[1], own + t[2] };
-        add(into, moved, this->Own.source[f], this->Own.weights[f], this->Own.part[f], reversed);
+        if (reversed || !this->Own.isWhole(f))
+        {
+          this->add(into, moved, f, this->Own.weightsOf(f), reversed);
+        }
+        else
+        {
+          into.add(moved, this->Own.source[f], this->Own.part[f]);
+        }
       }
     }
   }
@@ -127,14 +138,24 @@ public:
 private:
   const Triangle& triangle(int f) const { return this->Own.mesh.triangles[f]; }
 
-  static void add(Body& to, Triangle t, int source, std::array<Vector3, 3> weights, int part, bool reversed)
+  // Tells whether an edge has two triangles that are turned alike.
+  bool isPaired(int e) const
+  {
+    const MeshEdge& edge = this->Edges.edges[e];
+    const int* at = this->Edges.trianglesBegin(e);
+    return edge.triangleCount == 2 && runsAlong(this->triangle(at[0]), edge.v0, edge.v1) !=
+                                        runsAlong(this->triangle(at[1]), edge.v0, edge.v1);
+  }
+
+  // Adds a triangle that lies on a face.
+  void add(Body& to, Triangle t, int face, CornerWeights weights, bool reversed) const
   {
     if (reversed)
     {
       std::swap(t[1], t[2]);
       std::swap(weights[1], weights[2]);
     }
-    to.add(t, source, weights, part);
+    to.add(t, this->Own.source[face], this->Own.part[face], weights);
   }
 
   int* crossingsBegin(int e) { return this->OnEdge.values.data() + this->OnEdge.offsets[e]; }
@@ -198,6 +219,11 @@ private:
   // The ends of an edge without crossings are on the same side; of pieces that nothing cuts a ray tells.
   void spread(const Mesh& other)
   {
+    std::vector<char> isCut(this->Inside.size(), 0); // ends of edges with crossings
+    for (const int e : this->Crossed)
+    {
+      isCut[this->Edges.edges[e].v0] = isCut[this->Edges.edges[e].v1] = 1;
+    }
     std::vector<int> queue;
     for (int v = 0; v < this->Own.mesh.vertexCount(); ++v)
     {
@@ -214,8 +240,7 @@ private:
         queue.pop_back();
         for (const int n : this->Edges.vertexVertices[v])
         {
-          const int e = this->Edges.findEdge(v, n);
-          if (this->OnEdge.size(e) == 0)
+          if (!isCut[v] || !isCut[n] || this->OnEdge.size(this->Edges.findEdge(v, n)) == 0)
           {
             if (this->Inside[n] < 0)
             {
@@ -431,23 +456,22 @@ private:
       for (const Triangle& made : triangulatePolygon(flat, region))
       {
         Triangle ids;
-        std::array<Vector3, 3> weights;
+        CornerWeights weights;
         for (int k = 0; k < 3; ++k)
         {
           const Place& p = places[made[k]];
           ids[k] = p.corner >= 0 ? own + t[p.corner] : crossed + p.crossing;
           const Vector3 in =
             p.corner >= 0 ? Vector3(Vector3::Unit(p.corner)) : this->weightsOf(p.crossing, f);
-          const auto& of = this->Own.weights[f];
-          weights[k] = in[0] * of[0] + in[1] * of[1] + in[2] * of[2];
+          weights[k] = this->Own.weightsAt(f, in);
         }
-        add(into, ids, this->Own.source[f], weights, this->Own.part[f], reversed);
+        this->add(into, ids, f, weights, reversed);
       }
     }
   }
 
   const Body& Own;
-  const Mesh Places;
+  Mesh Places; // its own, but for vertices that are moved
   const Adjacency Edges;
   const int Number;
   const Crossings* All = nullptr;
@@ -457,21 +481,6 @@ private:
   std::vector<char> Inside; // of vertices: 1, 0, -1 not known
 };
 
-// The points, some of them further out by a way.
-std::vector<Vector3> moved(const Mesh& mesh, const std::vector<int>& moving, double way)
-{
-  std::vector<Vector3> places = mesh.points;
-  if (!moving.empty())
-  {
-    const Lists around = trianglesAround(mesh);
-    for (const int v : moving)
-    {
-      places[v] += way * vertexNormal(mesh, around, v);
-    }
-  }
-  return places;
-}
-
 } // namespace
 
 United unite(const Body& a, const Body& b, JoinKind kind, double least, const Context& context)
@@ -479,12 +488,9 @@ United unite(const Body& a, const Body& b, JoinKind kind, double least, const Co
   const double reach = least / 4.0, way = kind == JoinKind::Common ? -2.0 * reach : 2.0 * reach;
   const std::vector<FacePair> near = nearFaces(a.mesh, b.mesh, 4.0 * reach, context);
   // Points that touch do so once: the second body's points first, then those of the first one that still do.
-  CutSurface second(b, moved(b.mesh, touching(b.mesh, a.mesh, near, 1, reach), way), 2, context);
-  CutSurface first(a,
-    moved(
-      a.mesh, touching(a.mesh, second.places(), near, 0, reach), kind == JoinKind::Join ? way : -2.0 * reach),
-    1,
-    context);
+  CutSurface first(a, 1, context), second(b, 2, context);
+  second.move(touching(b.mesh, a.mesh, near, 1, reach), way);
+  first.move(touching(a.mesh, second.places(), near, 0, reach), kind == JoinKind::Join ? way : -2.0 * reach);
   context.checkpoint(0.4);
   const Crossings crossings =
     findCrossings(first.places(), first.edges(), second.places(), second.edges(), near, context);
@@ -510,7 +516,7 @@ United unite(const Body& a, const Body& b, JoinKind kind, double least, const Co
   united.changed.resize(body.mesh.triangles.size() + cuts.mesh.triangles.size(), 1);
   for (int t = 0; t < cuts.mesh.triangleCount(); ++t)
   {
-    body.add(cuts.mesh.triangles[t], cuts.source[t], cuts.weights[t], cuts.part[t]);
+    body.add(cuts.mesh.triangles[t], cuts.source[t], cuts.part[t], cuts.weights[t]);
   }
   united.isNew.assign(body.mesh.points.size(), 0);
   std::fill(united.isNew.begin() + crossed, united.isNew.end(), 1);

@@ -51,6 +51,12 @@ struct SurfacePoint
   std::array<double, 3> weights{ 1.0, 0.0, 0.0 };
 };
 
+// The corners of a triangle.
+inline std::array<SurfacePoint, 3> wholeTriangle(int t)
+{
+  return { { { t, { 1.0, 0.0, 0.0 } }, { t, { 0.0, 1.0, 0.0 } }, { t, { 0.0, 0.0, 1.0 } } } };
+}
+
 inline Vector3 positionOf(const Mesh& mesh, const SurfacePoint& at)
 {
   const Triangle& t = mesh.triangles[at.triangle];

@@ -211,7 +211,7 @@ private:
         still(t[1]) && still(t[2]))
     {
       this->Result.triangleSource[i] = this->Cut.triangles[slot];
-      corners = RemeshResult::wholeTriangle(this->Cut.triangles[slot]);
+      corners = wholeTriangle(this->Cut.triangles[slot]);
       return;
     }
     const Vector3 middle = (this->Area.point(t[0]) + this->Area.point(t[1]) + this->Area.point(t[2])) / 3.0;

@@ -50,10 +50,6 @@ struct RemeshResult
     return triangle < this->outsideTriangles ? wholeTriangle(this->triangleSource[triangle])
                                              : this->insideCorners[triangle - this->outsideTriangles];
   }
-  static std::array<SurfacePoint, 3> wholeTriangle(int t)
-  {
-    return { { { t, { 1.0, 0.0, 0.0 } }, { t, { 0.0, 1.0, 0.0 } }, { t, { 0.0, 0.0, 1.0 } } } };
-  }
 
   int outsidePoints = 0, outsideTriangles = 0; // those outside the region
   std::vector<SurfacePoint> places;            // of the others

@@ -7,7 +7,6 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPointer>
 #include <QPushButton>
 #include <QSettings>
@@ -44,7 +43,7 @@ struct PrintScene : Scene
       {
         if (auto* name = qobject_cast<QFileDialog*>(QApplication::activeModalWidget()))
         {
-          name->findChild<QLineEdit*>("fileNameEdit")->setText(path);
+          name->selectFile(path); // leaves no file of that folder selected that the dialogue proposed
           static_cast<QDialog*>(name)->accept();
         }
       });
