@@ -23,6 +23,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -78,35 +80,22 @@ std::vector<int> numbersOf(vtkPolyData* mesh, const MeshData& welded)
     }
     return numbers;
   }
-  const Adjacency& edges = welded.Neighbours();
-  numbers.assign(surface.triangles.size(), -1);
-  std::vector<int> queue;
-  int count = 0;
-  for (int first = 0; first < surface.triangleCount(); ++first)
+  const Adjacency& adjacency = welded.Neighbours();
+  boost::disjoint_sets_with_storage<> joined(surface.triangles.size());
+  for (int e = 0; e < static_cast<int>(adjacency.edges.size()); ++e)
   {
-    if (numbers[first] >= 0)
+    for (const int t : adjacency.trianglesAt(e))
     {
-      continue;
+      joined.union_set(*adjacency.trianglesBegin(e), t);
     }
-    numbers[first] = count;
-    queue.push_back(first);
-    while (!queue.empty())
-    {
-      const int t = queue.back();
-      queue.pop_back();
-      for (const int e : edges.triangleEdges[t])
-      {
-        for (const int n : e < 0 ? Lists::Range() : edges.trianglesAt(e))
-        {
-          if (numbers[n] < 0)
-          {
-            numbers[n] = count;
-            queue.push_back(n);
-          }
-        }
-      }
-    }
-    ++count;
+  }
+  std::vector<int> numberOf(surface.triangles.size(), -1);
+  int count = 0;
+  for (int t = 0; t < surface.triangleCount(); ++t)
+  {
+    int& number = numberOf[joined.find_set(t)];
+    number = number < 0 ? count++ : number;
+    numbers.push_back(number);
   }
   return numbers;
 }
