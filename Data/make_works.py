@@ -157,10 +157,11 @@ class Hand:
         view = self.sitting.place("filler", "Model")
         return view.left + x, view.top + y
 
-    def on_body(self, places, side=FRONT):
-        """Where places of a dragon's picture are on its body, all of which is seen, from the front or the back."""
+    def on_body(self, places, scale, side=FRONT):
+        """Where places of a dragon's picture are on its body, all of which is seen, from the front or the back; the scale [px in a view that
+        is 728 px wide] is greater where the body is nearer to the eye."""
         view = self.sitting.place("filler", "Model")
-        away = 0.81 * (np.asarray(places, float) - (413.5, 370)) * [1 if side == FRONT else -1, -1]
+        away = scale * view.width / 728 * (np.asarray(places, float) - (416, 365)) * [1 if side == FRONT else -1, -1]
         return np.array([view.left + 0.5 * view.width, view.top + 0.5 * view.height]) + away
 
     def step(self):
@@ -232,18 +233,18 @@ def lines(hand, radius, height, *courses):
 
 def face(hand):
     """An eye's rim, raised, and a nostril, carved, on a dragon's left and on its right."""
-    rim = spline(circle(EYE, (34, 36), 14), closed=True, steps=3)
+    rim = spline(circle(EYE, (31, 32), 14), closed=True, steps=3)
     nostril = spline([(86, 522), (92, 526), (99, 523)], steps=4)
     hand.key("b")
     hand.look(FRONT)
-    lines(hand, 16, 5, hand.on_body(rim))
+    lines(hand, 16, 5, hand.on_body(rim, 0.77))
     hand.look(BACK)
-    hand.drag(hand.on_body(rim, BACK))
+    hand.drag(hand.on_body(rim, 0.77, BACK))
     hand.key("Return")
     hand.choose("Raise", 1, 2)
-    lines(hand, 9, 4, hand.on_body(nostril, BACK))
+    lines(hand, 9, 4, hand.on_body(nostril, 0.75, BACK))
     hand.look(FRONT)
-    hand.drag(hand.on_body(nostril))
+    hand.drag(hand.on_body(nostril, 0.75))
 
 
 def dragon(hand):
@@ -252,11 +253,12 @@ def dragon(hand):
     face(hand)
     # A longer flame at the tail's tip, and the tail swung aside.
     hand.key("d")
-    hand.drag(hand.on_body(spline([(716, 318), (707, 350), (716, 392), (744, 434), (770, 392), (774, 350), (764, 318)], steps=6)))
+    hand.drag(hand.on_body(spline([(716, 318), (707, 350), (716, 392), (744, 434), (770, 392), (774, 350), (764, 318)], steps=6), 0.737))
     hand.key("6")
     hand.look(TOP)
-    hand.drag([hand.on_view(x, 352) for x in np.linspace(462, 618, 20)])
-    hand.drag([hand.on_view(*at) for at in spline([(462, 352), (520, 356), (572, 376), (606, 412)], steps=6)])
+    middle = 0.5 * hand.sitting.place("filler", "Model").height
+    hand.drag([hand.on_view(x, middle) for x in np.linspace(451, 606, 20)])
+    hand.drag([hand.on_view(x, middle + y) for x, y in spline([(451, 0), (508, 4), (559, 24), (592, 60)], steps=6)])
     hand.key("Return")
     hand.look(FRONT)
     for name, inside, place in (("legs", ((170, 250), (420, 280)), (190, 10, 432, 58)), ("wing", ((300, 300),), (285, 290, 380, 100)),
@@ -275,7 +277,7 @@ def dragon(hand):
     hand.look(RIGHT)
     hand.turn(34)
     hand.look(FRONT)
-    for at in ((400, 250), (299, 513), (275, 158)):
+    for at in ((400, 250), (286, 422), (258, 160)):
         hand.twin(hand.on_view(*at))
 
 

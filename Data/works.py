@@ -1,26 +1,30 @@
-"""The pictures that the works of Data/Works are drawn over, on an even ground. Places are px of each picture, from its lower left corner."""
+"""The pictures that the works of Data/Works are drawn over: a photograph of a toy, and paintings on an even ground.
+
+Places are px of each picture, from its lower left corner.
+"""
 import numpy as np
 
 from drawings import DRAWINGS
 from painting import Picture, blurred, circle, mixed, spline, step, union
+from photograph import photographed, rounded
 
 GROUND = (0.76, 0.84, 0.92)
 SCALE, BACK, BELLY, CREST = (0.36, 0.62, 0.50), (0.13, 0.39, 0.42), (0.96, 0.88, 0.66), (0.90, 0.42, 0.28)
 EYE = (183, 532)  # of the dragon
 
 
-def hide(p, skin, up, seed=3):
+def hide(p, skin, up, seed=3, light=0.55):
     """Paints a dragon's hide over a field: darker up the other field, with lighter spots, lit from above."""
     cover = p.cover(skin)
     p.paint(mixed(SCALE, BACK, step(up, -0.4, 1.0)), cover)
     spots = step(p.mottled(seed, 9.0), 0.9, 1.5) * step(up, -0.1, 0.5)
     p.paint((0.55, 0.76, 0.56), 0.55 * spots * cover)
-    p.shade(0.55 * p.relief(skin, 62.0, 5.0), cover)
+    p.shade(light * p.relief(skin, 62.0, 5.0), cover)
 
 
 def dragon():
-    """A young dragon without legs and wings, seen from its left."""
-    p = Picture(800, 640, GROUND)
+    """A young dragon without legs and wings, seen from its left: a photograph of a toy on a table."""
+    p = Picture(800, 640, BACK)
     torso = p.limb([(318, 262), (400, 244), (500, 246)], [88, 104, 88])
     tail = p.limb([(500, 246), (590, 204), (668, 194), (724, 232), (738, 296)], [86, 50, 31, 21, 12], steps=10)
     neck = p.limb([(310, 280), (258, 372), (232, 452), (222, 524)], [76, 52, 44, 50], steps=10)
@@ -44,21 +48,21 @@ def dragon():
     throat = spline([(60, 470), (150, 468), (190, 440), (196, 380), (232, 296), (270, 190), (400, 128), (520, 150), (640, 160)])
     away = p.away(throat, 90) / 60.0
     up = np.clip(away - 0.55, -1.0, 1.0)
-    hide(p, body, up)
+    hide(p, whole + 4.0, up, light=0.0)
     belly = p.inside(np.vstack([spline([(88, 480), (150, 476), (200, 452), (222, 392), (262, 306), (296, 218), (400, 168), (520, 168),
                                         (620, 164), (668, 166)]), [(660, 100), (200, 100), (60, 300), (60, 470)]]))
-    under = p.cover(np.minimum(belly, body), 3.0)
+    under = p.cover(np.minimum(belly, whole + 4.0), 3.0)
     p.paint(BELLY, under)
     along = np.arctan2(p.y - 420, p.x - 560) * 22.0
-    p.shade(-0.16 * step(np.cos(along * 2.0), 0.80, 0.98), under * (p.y < 470))
-    p.shade(0.48 * p.relief(body, 62.0, 5.0), under)
+    folds = step(np.cos(along * 2.0), 0.80, 0.98) * under * (p.y < 470)
     for field, inner in ((spade, step(spade, 0, 22)), (fins, step(-body, 30, 2))):
+        field = field + 6.0  # clay that is pressed on has a foot
         tip = np.minimum(field, -body + 5.0)
         p.paint(mixed(CREST, (1.0, 0.78, 0.48), inner), p.cover(tip, 2.0) * p.cover(field + 1.0))
-        p.shade(0.4 * p.relief(field, 18.0), p.cover(tip))
     # face
     p.paint((0.95, 0.55, 0.42), 0.5 * np.exp(-((p.x - 168) / 24.0) ** 2 - ((p.y - 490) / 16.0) ** 2) * p.cover(body))
-    p.paint((0.12, 0.22, 0.24), 0.85 * p.line(spline([(80, 496), (108, 488), (150, 484), (186, 490), (204, 504)]), 4.0, 1.0))
+    mouth = p.line(spline([(80, 496), (108, 488), (150, 484), (186, 490), (204, 504)]), 4.0, 1.0)
+    p.paint((0.12, 0.22, 0.24), 0.85 * mouth)
     nostril = np.hypot((p.x - 92) / 1.5, p.y - 524)
     p.paint((0.10, 0.20, 0.22), 0.85 * p.cover(4.5 - nostril, 1.2))
     eye = np.hypot(p.x - EYE[0], (p.y - EYE[1]) * 0.92)
@@ -68,6 +72,9 @@ def dragon():
     p.paint(mixed((0.98, 0.76, 0.20), (0.82, 0.40, 0.10), step(iris, 9, 19)), p.cover(20 - iris, 0.8) * p.cover(27 - eye))
     p.paint((0.05, 0.05, 0.07), p.cover(12 - np.hypot((p.x - EYE[0] + 5) * 1.25, p.y - EYE[1]), 0.8))
     p.paint((1, 1, 1), 0.95 * p.cover(5.5 - np.hypot(p.x - EYE[0] - 3, p.y - EYE[1] - 9), 0.9))
+    plates = np.maximum(rounded(spade), np.where(fins > 0, np.minimum(0.9 * fins, 9.0), 0.0))
+    dents = 3.0 * folds + 4.0 * mouth + 5.0 * p.cover(4.5 - nostril, 2.0) - 7.0 * np.sqrt(np.maximum(1.0 - (eye / 30.0) ** 2, 0.0))
+    photographed(p, whole, np.maximum(rounded(body), plates) - dents + 0.5 * p.mottled(31, 7.0), table=136)
     return p, whole
 
 

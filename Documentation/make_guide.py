@@ -38,8 +38,7 @@ class Stage:
 
 
 STAGES = {
-    "creature": [Stage(1, -30, 12), Stage(7, -24, 8, close=2.6), Stage(8, -20, 8), Stage(9, 0, 75), Stage(10, -30, 12), Stage(11, -30, 12),
-                 Stage(12, -30, 12), Stage(16, -38, 16)],
+    "creature": [Stage(1), Stage(5, 6, close=2.6), Stage(6, 10), Stage(7, 33, 62), Stage(8), Stage(9), Stage(10), Stage(14, -6, 6)],
     "figure": [Stage(1), Stage(2), Stage(3), Stage(4), Stage(5), Stage(8, -14, -2, close=2.2), Stage(9, -10, 4, clay=True), Stage(9, -10, 4)],
     "relief": [Stage(1, -18, 16), Stage(2, -18, 16), Stage(9, -18, 16), Stage(11, -18, 16), Stage(15, -18, 16), Stage(19, -18, 16)],
 }
