@@ -229,12 +229,13 @@ def test_hostile_messages_do_nothing(dog):
                    {"do": "export", "format": "../x"}, {"do": "size", "width": 10 ** 12, "height": -5}, {"do": "select", "id": None},
                    {"do": "change", "id": 1, "values": {"Nothing": {}}}, {**point, "points": [[None]]}, {**point, "points": []},
                    {**point, "system": "Edit", "redraw": []}, {**point, "values": [1]}, {"do": "trace", "number": 1, "points": [[0, 0]]}])]
-    answered = dog.of(f"""new Promise(done => {{
-        const other = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws"))), states = [];
-        other.onmessage = ({{ data }}) => typeof data === "string" && JSON.parse(data).kind === "state" && states.push(JSON.parse(data));
+    answered, pictures = dog.of(f"""new Promise(done => {{
+        const other = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws"))), states = [], pictures = [];
+        other.onmessage = ({{ data }}) => typeof data !== "string" ? pictures.push(data) : JSON.parse(data).kind === "state" && states.push(JSON.parse(data));
         other.onopen = () => {json.dumps(hostile)}.forEach(one => other.send(one));
-        setTimeout(() => (other.close(), done(states)), 3000); }})""")
+        setTimeout(() => (other.close(), done([states, pictures.length])), 3000); }})""")
     assert sum(bool(state["message"]) for state in answered) >= 15
+    assert pictures == 2  # none of which it says that it has got
     assert all([step["id"] for step in state["steps"]] == [1] for state in answered)
     dog.click("#veil button")  # the other socket was another tab
     dog.ready()

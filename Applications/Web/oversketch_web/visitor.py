@@ -24,6 +24,7 @@ models = (".ply", ".obj", ".off", ".stl", ".glb", ".gltf", ".vtp", ".oversketch"
 pictures = (".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif", ".tiff")
 formats = ("ply", "obj", "glb", "stl", "off", "vtp", "3mf")
 short = "There is not enough memory for that."
+ahead = 2  # pictures that the page has not got yet, at most: one is on the way while the next one is made
 still, rests = 0.15, 1.0  # s without a message, until the picture is made fine and the session is kept, or longer where that takes long
 # The lines of each system's step, in the order in which they are drawn; a pose's course comes when its bone is seen.
 lines = {"OneStroke": ["Stroke"], "Augment": ["Strokes"], "Relax": ["Strokes"], "Mask": ["Strokes"], "Pose": ["Bone", "Pose"],
@@ -50,7 +51,7 @@ class Studio:
         self.view, self.session = View(), oversketch.vtkOversketchSession()
         self.name, self.message, self.busy = "", "", False
         self.drawn = self.done = 0  # lines that have come, and of which the mesh is shown
-        self.frame, self.seen, self.sharp, self.watched = 0, True, False, False  # the last picture, and whether the page has it
+        self.frame, self.shown, self.sharp, self.watched = 0, 0, False, False  # the last picture, and the last one that the page has
         self.moved = self.changed = self.began = 0.0
         self.rests = rests
         self.clear(None)
@@ -66,7 +67,8 @@ class Studio:
     # What the page asks for.
 
     def hello(self):
-        self.watched = self.seen = self.view.dirty = True
+        self.watched = self.view.dirty = True
+        self.shown = self.frame
         self.send(1, {"kind": "systems", "systems": json.loads(self.session.GetSystems()), "files": self.listed(), "formats": formats})
         self.tell() if self.name else self.restore()
 
@@ -80,7 +82,7 @@ class Studio:
         self.view.resize(width, height)
 
     def got(self, frame):
-        self.seen = self.seen or frame == self.frame
+        self.shown = max(self.shown, min(int(frame), self.frame))
 
     def hand(self, event, x, y, keys=()):
         if event in hands:
@@ -433,7 +435,7 @@ class Studio:
         for name, places in self.held:
             pixels = (eye.seen(places)[:, :2] * [1.0, -1.0] + [0.0, self.view.size[1]]) / self.view.share
             held.setdefault(name, []).append(pixels.round(1).tolist())
-        self.frame, self.seen, self.sharp = self.frame + 1, False, not moves
+        self.frame, self.sharp = self.frame + 1, not moves
         self.send(2, {"frame": self.frame, "done": self.done, "model": not self.fresh, "held": held}, picture)
 
     def hear(self, message):
@@ -470,7 +472,7 @@ class Studio:
         if self.after and not running:
             message, self.after = self.after, ""
             self.hear(message)
-        if self.watched and self.seen and (self.view.dirty or not self.sharp and now - self.moved >= still):
+        if self.watched and self.frame - self.shown < ahead and (self.view.dirty or not self.sharp and now - self.moved >= still):
             self.show()
         if self.changed and not running and now - max(self.changed, self.moved) > self.rests:
             self.keep()

@@ -25,6 +25,7 @@ const blank = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAAAAAAALAAAAAA
 
 let socket, state = { steps: [] }, systems = {}, tool = "outline", redraws = 0, sent = 0, lost = 0;
 let held = {}, waiting = [], moved = null; // lines on the model; those that are drawn and not yet done; a drag [px]
+let shown = null; // once all pictures that have come are
 let cut = {}, listed = "", formed = "", next = null, later = null;
 const values = {};
 
@@ -324,6 +325,7 @@ document.onkeydown = event => {
 function connect() {
   socket = new WebSocket(new URL("socket", location.href.replace(/^http/, "ws")));
   socket.binaryType = "arraybuffer";
+  shown = Promise.resolve();
   socket.onopen = () => {
     waiting = [];
     veil("");
@@ -331,7 +333,7 @@ function connect() {
   };
   socket.onmessage = ({ data }) => {
     const heard = typeof data === "string" ? JSON.parse(data) : { kind: "frame" };
-    if (heard.kind === "frame") frame(data);
+    if (heard.kind === "frame") shown = shown.then(() => frame(data));
     else if (heard.kind === "systems") {
       systems = Object.fromEntries(heard.systems.map(system => [system.name, system]));
       $("export").replaceChildren($("export").options[0], ...heard.formats.map(format => new Option(format)));
