@@ -192,7 +192,7 @@ def test_man_pages_name_every_command_and_option(root, environment):
     folder = root / "usr" / "share" / "man" / "man1"
     summary = run(root / "usr" / "bin" / "oversketch", "--help", env=environment)
     verbs = sorted(set(re.findall(r"^  oversketch ([a-z][a-z-]+) ", summary, re.M)))
-    assert verbs == ["assemble", "augment", "edit", "inflate", "mask", "one-stroke", "pose", "relax", "replay", "terrain", "transform"]
+    assert verbs == ["assemble", "augment", "check", "edit", "inflate", "join", "mask", "one-stroke", "pose", "relax", "replay", "terrain", "transform"]
     for program, helps in (("oversketch", [["--help"], *([verb, "--help"] for verb in verbs)]), ("oversketch-studio", [["--help"]]),
                            ("oversketch-web", [["--help"]])):
         page = gzip.open(folder / (program + ".1.gz"), "rt").read()
