@@ -95,9 +95,10 @@ PARTS = {**SHORT, **FULL}
 
 def sources():
     """A digest of the files of the tree: those that git knows, as they are, else all but what is built."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, capture_output=True)
-    names = listed.stdout.decode().split("\0")[:-1]
-    if listed.returncode != 0:
+    try:
+        listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"], cwd=ROOT, check=True, capture_output=True)
+        names = listed.stdout.decode().split("\0")[:-1]
+    except (OSError, subprocess.CalledProcessError):  # there is no git, or the tree is none of its
         names = [str(p.relative_to(ROOT)) for p in ROOT.rglob("*") if p.is_file() and p.relative_to(ROOT).parts[0] != "build"]
     digest = hashlib.sha256()
     for name in sorted(names):
