@@ -7,6 +7,7 @@ oversketch_install
 oversketch_build release
 mkdir -p demo
 model=Data/Models/dog.ply stroke=Data/Strokes/dog_longer_leg.vtp
+export PYTHONPATH=$oversketch_root/build/release/lib/python3/dist-packages
 oversketch_display /usr/bin/python3 Testing/Pictures/draw.py $model $stroke demo/before.png
 oversketch_display build/release/bin/oversketch one-stroke $model $stroke \
   -o demo/dog_longer_leg.ply --picture demo/after.png --report demo/report.json

@@ -65,6 +65,7 @@ def acceptance(tenth):
 # sanitizer does not see into.
 SHORT = {
     "build": (built("release"), {}),
+    "demo": ("env -u PYTHONPATH ./Applications/demo.sh", {}),
     "tests": (f"ctest --preset release -L home {JOBS} -E '^({'|'.join(LEFT_OUT)})$'", DRAWN),
     "acceptance": (acceptance(True), ACCEPTED),
     "asan-build": (built("asan", "tests"), {}),
