@@ -11,7 +11,7 @@
 namespace oversketch
 {
 
-// What the corners of a triangle are of those of the one that it lies on.
+// Barycentric coordinates of a triangle's corners in the triangle that it lies on.
 using CornerWeights = std::array<Vector3, 3>;
 
 struct Body

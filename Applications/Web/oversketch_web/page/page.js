@@ -25,7 +25,7 @@ const blank = "data:image/gif;base64,R0lGODlhAQABAIAAAP///wAAACH5BAAAAAAALAAAAAA
 
 let socket, state = { steps: [] }, systems = {}, tool = "outline", redraws = 0, sent = 0, lost = 0;
 let held = {}, waiting = [], moved = null; // lines on the model; those that are drawn and not yet done; a drag [px]
-let shown = null; // once all pictures that have come are
+let shown = null; // promise that all pictures which have come are drawn
 let cut = {}, listed = "", formed = "", next = null, later = null;
 const values = {};
 
